@@ -53,7 +53,7 @@ def mib(bytes_):
 
 
 def table(series, rows):
-    lines = [f"| {SERIES[series][0]} | pairs | members | samples | forward, s | forward and backward, s | "
+    lines = [f"| {SERIES[series][0]} | pairs | intersections | samples | forward, s | forward and backward, s | "
              "memory forward, MiB | and backward, MiB |", "| ---: |" + " ---: |" * 7]
     for value, found in rows:
         counts = " | ".join(f"{found[key]:,}" for key in ("pairs", "members", "samples"))

@@ -7,7 +7,7 @@ FOLDER has scene.safetensors, cameras.json and tiles.json, as bench/synthetic.py
 
 Each round measures a native call and then the same from Python, so that other programs slow both. Native numbers are those of
 `organza bench`, taken in the same process: forward ends with the tiles in the host's memory, backward with the gradients on the device.
-From Python, gradients are read into arrays, too. A training step by torch's Adam renders, compares, goes back and updates every
+From Python, gradients are read into arrays, too. A training step by torch's Adam renders, compares, runs the backward pass and updates every
 parameter; a native one does all of that on the device, for as many tiles of as many images of a scene of the same size.
 """
 
@@ -87,7 +87,7 @@ class training:
             "run.tile_size": tiles.side,
             "run.tiles_per_view": len(tiles) // len(cameras),
             "start.gaussians": len(scene),
-            "growth.end": 0,
+            "densification.end": 0,
         }
         config = scene.config
         for name in ("sh_degree", "material", "extra", "step"):

@@ -4,9 +4,9 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 /// Most bytes that a parser may hold at once, besides an amount that grows with its input.
-const MOST: usize = 96 << 20;
+const MAX_BYTES: usize = 96 << 20;
 /// Additional bytes for each byte of the input.
-const MOST_A_BYTE: usize = 256;
+const MAX_PER_BYTE: usize = 256;
 
 #[global_allocator]
 static ALLOCATOR: Counted = Counted;
@@ -61,5 +61,5 @@ pub fn run(target: fn(&[u8]), bytes: &[u8], what: &str) {
     PEAK.set(before);
     target(bytes);
     let took = PEAK.get().saturating_sub(before);
-    assert!(took <= MOST + MOST_A_BYTE * bytes.len(), "{what} took {took} bytes of memory");
+    assert!(took <= MAX_BYTES + MAX_PER_BYTE * bytes.len(), "{what} took {took} bytes of memory");
 }

@@ -26,12 +26,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     for _ in 0..2 {
         let uploaded = renderer.upload(&scene)?;
-        let recording = renderer.record(&uploaded, &cameras, &batch)?;
-        let values = &recording.tiles().data;
+        let tape = renderer.record(&uploaded, &cameras, &batch)?;
+        let values = &tape.tiles().data;
         println!("loss {:.6}", loss(values));
         let count = values.len() as f32;
         let grad_tiles: Vec<f32> = values.iter().map(|value| value / count).collect();
-        let gradient = recording.backward(&grad_tiles)?;
+        let gradient = tape.backward(&grad_tiles)?;
         let slopes = &gradient.gaussians.opacity;
         for (opacity, slope) in scene.gaussians.opacity.iter_mut().zip(slopes) {
             *opacity -= 1e3 * slope;

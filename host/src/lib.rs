@@ -66,7 +66,7 @@ pub use organza_core::{
 #[cfg(feature = "train")]
 pub use organza_data as data;
 pub use organza_render::{
-    self as render, DeviceScene, Inspection, MODULES, Recording, Renderer, Stages, UploadOptions,
+    self as render, DeviceScene, Inspection, MODULES, Renderer, Stages, Tape, UploadOptions,
     open_device,
 };
 #[cfg(feature = "train")]

@@ -18,7 +18,7 @@ _asks = os.environ.get("MESA_VK_DEVICE_SELECT") or os.environ.get("DRI_PRIME")
 if not os.path.isabs(os.environ.get("XDG_RUNTIME_DIR", "")) and not _asks:
     os.environ["NODEVICE_SELECT"] = "1"
 
-from ._organza import DeviceScene, Error, Recording, Scene, __version__
+from ._organza import DeviceScene, Error, Scene, Tape, __version__
 from ._cameras import Cameras, Tiles
 from ._data import Dataset, load_dataset
 from ._film import film
@@ -37,10 +37,10 @@ __all__ = [
     "Exported",
     "Images",
     "Imported",
-    "Recording",
     "Renderer",
     "Scene",
     "Step",
+    "Tape",
     "Tiles",
     "TrainConfig",
     "Training",

@@ -82,7 +82,7 @@ class Cameras:
         field_of_view: float | None = None,
         size: tuple[int, int] | None = None,
     ) -> Cameras:
-        """`frames` cameras once around a scene's box, as in `organza film` without cameras. The arguments are those of `orbit`; the size is
+        """`frames` cameras once around a scene's box, as in `organza film` without cameras. The arguments are as for `orbit`; the size is
         640 x 480 unless given."""
         numbers = center, up, distance, elevation, field_of_view, size
         return cls(_organza.Cameras.orbit(frames, None, scene, *numbers))
@@ -102,7 +102,7 @@ class Cameras:
 
         `center` is that point and `up` the axis, upward in the images, both in world units; `distance` is that from the center, in world
         units; `elevation` is the angle above the horizon, -89 to 89 degrees. Where they are not given, they are the medians of these
-        cameras. `field_of_view` is horizontal, 1 to 170 degrees, and `size` is width and height in pixels: those of the first camera
+        cameras. `field_of_view` is horizontal, 1 to 170 degrees, and `size` is width and height in pixels: the first camera's
         unless given. Raises `ValueError` for a number out of range, and without cameras.
         """
         numbers = center, up, distance, elevation, field_of_view, size
@@ -110,7 +110,7 @@ class Cameras:
 
     def among(self, frames: int, *, size: tuple[int, int] | None = None) -> Cameras:
         """`frames` cameras on a way that stays where these stand, and ends where it begins, as in `organza film run`: a ring where they stand
-        all around what they look at, else to and fro on an arc. `size` is width and height in pixels: those of the first camera unless
+        all around what they look at, else to and fro on an arc. `size` is width and height in pixels: the first camera's unless
         given."""
         return Cameras(self._core.among(frames, size))
 
@@ -118,7 +118,7 @@ class Cameras:
         self, frames: int, *, loop: bool = False, size: tuple[int, int] | None = None
     ) -> Cameras:
         """`frames` cameras on a smooth path through these, in their order, as `organza film --between`; `loop` leads back to the first.
-        `size` is width and height in pixels: those of the first camera unless given. Raises `ValueError` for fewer than two."""
+        `size` is width and height in pixels: the first camera's unless given. Raises `ValueError` for fewer than two."""
         return Cameras(self._core.between(frames, loop, size))
 
     def save(self, path: str | os.PathLike[str]) -> None:

@@ -25,7 +25,7 @@ _NUMBERS = itertools.count()
 
 
 class Ranks:
-    """This process's place among those of `torch.distributed` that train one scene together, for `organza.train`.
+    """This process's place among the processes of `torch.distributed` that train one scene together, for `organza.train`.
 
         torch.distributed.init_process_group("gloo")
         ranks = organza.torch.Ranks()
@@ -42,7 +42,7 @@ class Ranks:
     size: int
     """How many there are."""
     local_rank: int
-    """This process among those of its machine, from 0."""
+    """This process among the processes of its machine, from 0."""
     mixed: bool
     failed: tuple[int, str] | None
     """The rank that has failed, and its message."""

@@ -24,7 +24,7 @@ _TILE_SIDE = 64
 class Renderer(_organza.Renderer):
     """Renders scenes on a device.
 
-    `backend` is "auto" (a GPU if there is one), "gpu" or "cpu"; `threads` are those of the CPU, one for each core unless given;
+    `backend` is "auto" (a GPU if there is one), "gpu" or "cpu"; `threads` are the CPU's, one for each core unless given;
     `adapter` is a part of a GPU's name; `place` chooses among equally capable GPUs, counted from 0 and around. Raises `organza.Error`
     where a GPU was asked for and none can be used.
 
@@ -129,8 +129,8 @@ class Renderer(_organza.Renderer):
         cameras: Cameras,
         tiles: Tiles,
         channels: Sequence[Channel] = (),
-    ) -> _organza.Recording:
-        """Renders a batch of tiles and keeps what its gradient needs: `Recording.tiles`, then `Recording.backward`."""
+    ) -> _organza.Tape:
+        """Renders a batch of tiles and keeps what its gradient needs: `Tape.tiles`, then `Tape.backward`."""
         scene = self._on_device(scene)
         return super().record(scene, cameras._core, tiles._core, list(channels))
 

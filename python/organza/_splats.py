@@ -73,7 +73,7 @@ class Imported:
 
     scene: _organza.Scene
     psnr: float | None
-    """How close its images are to those of the file, in decibels: the mean PSNR over the views that training has not seen. None where
+    """How close its images are to the file's, in decibels: the mean PSNR over the views that training has not seen. None where
     there are fewer than eight cameras."""
 
 

@@ -26,7 +26,7 @@ class TrainConfig:
     `preset` is "default", "fast", "best" or "built-in"; `file` is a settings file in TOML that overrides the preset; `settings` maps
     names such as "run.steps" to values, which override both. `organza help train` lists all settings.
 
-        organza.TrainConfig("fast", settings={"run.steps": 300, "growth.max_gaussians": 20_000})
+        organza.TrainConfig("fast", settings={"run.steps": 300, "densification.max_gaussians": 20_000})
 
     Raises `ValueError` where there is no such setting, or a value is out of range.
     """
@@ -99,7 +99,7 @@ class Step:
     """The PSNR of the step's tiles, in decibels."""
     gaussians: int
     """The Gaussians of the scene."""
-    grown: bool
+    densified: bool
     """Whether Gaussians were added or taken away."""
     # not the run itself: who leaves the loop ends the run, and may keep the step
     _training: weakref.ref[Training] = field(repr=False)
@@ -234,14 +234,14 @@ def train(
     measured. `resume` goes on with the run in a folder, with that run's settings and data.
 
     `loss` is a function of torch's tensors: the rendered tiles `[K, 3, S, S]`, the photographs `[K, 3, S, S]`, and `valid [K, 1, S, S]`,
-    1 where a photograph has a pixel. It returns the loss, a tensor of one value. Without it, the loss is that of the settings.
+    1 where a photograph has a pixel. It returns the loss, a tensor of one value. Without it, the settings say the loss.
 
     `on_evaluation` is called with each `Evaluation`; `time_limit` is in seconds of training. To stop early, leave the loop: the run
     saves a checkpoint and ends. Ctrl-C does the same.
 
     `ranks` shares the run with other processes: `organza.torch.Ranks()`, in a script that torchrun starts. All call this with the same
     arguments. The first one leads: it alone has steps to iterate over, reads and writes the folder, and stops the run. On the others the
-    loop takes part in the run and ends with it. Any number of ranks gives the same bits, those of the program's `--ranks`. Unless there is
+    loop takes part in the run and ends with it. Any number of ranks gives the same bits, as with the program's `--ranks`. Unless there is
     a `renderer`, the ranks of a machine take its GPUs in turn.
 
     Raises `ValueError`, `FileNotFoundError`, `MemoryError`, and `organza.Error` where training has overflowed or another

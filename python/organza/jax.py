@@ -31,7 +31,7 @@ def render(
 ) -> Callable[[Tensors], jax.Array]:
     """A function from a scene's tensors, by the names of its file, to the tiles `[K, 3, S, S]`, as `float32`.
 
-    `config` is that of the scene: `Scene.config`. The function has a gradient for every tensor, once: a second derivative fails.
+    `config` is the scene's: `Scene.config`. The function has a gradient for every tensor, once: a second derivative fails.
     """
     device = renderer or Renderer()
     shape = (len(tiles), 3, tiles.side, tiles.side)

@@ -36,7 +36,7 @@ class _Place:
         self.renderer, self.scene = renderer, renderer.upload(scene)
         self._seen: dict[str, tuple[weakref.ref[torch.Tensor], int]] = {}
         # those that wait for their backward pass
-        self._pending: weakref.WeakSet[_organza.Recording] = weakref.WeakSet()
+        self._pending: weakref.WeakSet[_organza.Tape] = weakref.WeakSet()
 
     def holds(self, tensors: Mapping[str, torch.Tensor]) -> bool:
         """Whether these tensors were written last, and have not changed since."""
@@ -48,7 +48,7 @@ class _Place:
         return all(has(name, tensor) for name, tensor in tensors.items())
 
     def is_free(self) -> bool:
-        """Whether no recording of it waits for its backward pass."""
+        """Whether no tape of it waits for its backward pass."""
         return not self._pending
 
     def write(self, tensors: Mapping[str, torch.Tensor]) -> None:
@@ -59,19 +59,19 @@ class _Place:
     def see(self, tensors: Mapping[str, torch.Tensor]) -> None:
         self._seen = {name: (weakref.ref(t), t._version) for name, t in tensors.items()}
 
-    def record(self, cameras: Cameras, tiles: Tiles, channels: Sequence[Channel]) -> _organza.Recording:
-        recording = self.renderer.record(self.scene, cameras, tiles, channels)
-        self._pending.add(recording)
-        return recording
+    def record(self, cameras: Cameras, tiles: Tiles, channels: Sequence[Channel]) -> _organza.Tape:
+        tape = self.renderer.record(self.scene, cameras, tiles, channels)
+        self._pending.add(tape)
+        return tape
 
-    def end(self, recording: _organza.Recording) -> None:
-        """The recording has been gone back through. Another pass through it renders again."""
-        recording.release()
-        self._pending.discard(recording)
+    def end(self, tape: _organza.Tape) -> None:
+        """The tape's backward pass is over. Another one renders again."""
+        tape.release()
+        self._pending.discard(tape)
 
 
 class _Places:
-    """The scenes of one shape on a device: as many as there are recordings that wait."""
+    """The scenes of one shape on a device: as many as there are tapes that wait."""
 
     def __init__(self, renderer: Renderer, config: Mapping[str, Any]) -> None:
         self.renderer, self.config = renderer, config
@@ -82,7 +82,7 @@ class _Places:
             if not place.is_free() and place.holds(tensors):
                 return place
         gaussians = len(tensors[_GAUSSIANS + "position"])
-        # those of another number of Gaussians are of no use anymore
+        # scenes of another number of Gaussians are of no use anymore
         self._places = [place for place in self._places if len(place.scene) == gaussians]
         for place in self._places:
             if place.is_free():
@@ -106,8 +106,8 @@ class _Render(torch.autograd.Function):
     def forward(ctx, places, cameras, tiles, channels, keep, names, viewmats, *tensors):
         place = places.place(dict(zip(names, tensors)))
         if keep:
-            ctx.place, ctx.recording = place, place.record(cameras, tiles, channels)
-            rendered, beside = ctx.recording.tiles()
+            ctx.place, ctx.tape = place, place.record(cameras, tiles, channels)
+            rendered, beside = ctx.tape.tiles()
         else:
             rendered, beside = place.renderer.render_tiles(
                 place.scene, cameras._core, tiles._core, list(channels)
@@ -125,11 +125,11 @@ class _Render(torch.autograd.Function):
     def backward(ctx, grad_tiles, *_):
         by_pose = None
         if ctx.needs_input_grad[6]:
-            found, poses = ctx.recording.backward_with_poses(_array(grad_tiles))
+            found, poses = ctx.tape.backward_with_poses(_array(grad_tiles))
             by_pose = _by_matrix(ctx.viewmats, poses)
         else:
-            found = ctx.recording.backward(_array(grad_tiles))
-        ctx.place.end(ctx.recording)
+            found = ctx.tape.backward(_array(grad_tiles))
+        ctx.place.end(ctx.tape)
         gradients = [
             torch.from_numpy(found[name]).to(*like) if needed else None
             for name, like, needed in zip(ctx.names, ctx.like, ctx.needs_input_grad[7:])
@@ -269,7 +269,7 @@ def rasterization(
 
     Returns the images `[C, height, width, 3]`, the sum of the weights `[C, height, width, 1]` (S of Eq. 12; it can exceed 1 and has no
     gradient), and a dictionary with the `channels` that were asked for, `[C, height, width, planes]`, which have none either. The scene's
-    background shows through where the weight is below 1. All but `Ks` have gradients. That of `viewmats` is along the motions of rigid cameras,
+    background shows through where the weight is below 1. All but `Ks` have gradients: of `viewmats` along the motions of rigid cameras,
     through the projection alone: the networks see a camera's center as a constant.
 
     Raises `ValueError` where a shape is wrong, or a value is not finite: an opacity of 0 or 1, or a scale of 0, has no logit or logarithm.

@@ -147,7 +147,7 @@ impl Cameras {
             ..found
         };
         if let Some(degrees) = field_of_view {
-            // a field of view that was given is that of the images
+            // a field of view that was given is the images' own
             orbit.angle = degrees.to_radians();
             orbit.size = size.unwrap_or(orbit.size);
         }
@@ -179,7 +179,7 @@ fn frames(count: usize) -> PyResult<usize> {
 }
 
 impl Cameras {
-    /// The cameras in a scene's coordinates. Here they have those of the world.
+    /// The cameras in a scene's coordinates. Here they have the world's.
     pub fn in_scene(&self, config: &SceneConfig) -> Vec<organza::Camera> {
         self.0.iter().map(|camera| config.placement.own_camera(camera)).collect()
     }

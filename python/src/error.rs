@@ -15,7 +15,7 @@ create_exception!(
     "organza cannot go on: there is no usable GPU, a GPU was lost, training has overflowed, or another rank has failed."
 );
 
-/// The exception for an error. Its text is that of the program.
+/// The exception for an error. Its text is the program's.
 pub fn raise(error: organza::Error) -> PyErr {
     let text = chain(&error);
     match &error {

@@ -8,10 +8,10 @@ mod film;
 mod job;
 mod metrics;
 mod ranks;
-mod recording;
 mod renderer;
 mod scene;
 mod splats;
+mod tape;
 mod training;
 
 use pyo3::prelude::*;
@@ -25,7 +25,7 @@ fn _organza(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<cameras::Tiles>()?;
     module.add_class::<renderer::Renderer>()?;
     module.add_class::<renderer::DeviceScene>()?;
-    module.add_class::<recording::Recording>()?;
+    module.add_class::<tape::Tape>()?;
     module.add_class::<data::Dataset>()?;
     module.add_class::<training::TrainConfig>()?;
     module.add_class::<training::Training>()?;

@@ -7,7 +7,7 @@ use organza::ranks::Ranks;
 use organza::{Error, Result};
 use pyo3::prelude::*;
 
-/// Flips the bit that makes the order of `u32` that of `i32`.
+/// Flips the bit that makes the order of `u32` the order of `i32`.
 const TOP: u32 = 1 << 31;
 
 /// A rank that is a process. A Python object sends its messages, which are numpy arrays: see `organza/_ranks.py`.

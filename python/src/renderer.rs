@@ -17,8 +17,8 @@ use pyo3::types::PyDict;
 use crate::cameras::{Cameras, Tiles};
 use crate::error::{invalid, raise};
 use crate::job;
-use crate::recording::Recording;
 use crate::scene::{Scene, array, json};
+use crate::tape::Tape;
 
 /// Renders on a device.
 #[pyclass(frozen, subclass, module = "organza._organza")]
@@ -105,7 +105,7 @@ impl Renderer {
         cameras: &Cameras,
         tiles: &Tiles,
         channels: Vec<String>,
-    ) -> PyResult<Recording> {
+    ) -> PyResult<Tape> {
         let held = self.own(scene)?;
         let renderer = self.0.clone();
         let cameras = Cameras(cameras.0.clone());
@@ -113,15 +113,15 @@ impl Renderer {
         let shape = batch.output_shape();
         let number = cameras.0.len();
         let channels = channels_of(&channels)?;
-        let recording = job::run(py, move || {
+        let tape = job::run(py, move || {
             let scene = &lock(&held).scene;
             let cameras = cameras.in_scene(scene.config());
             renderer.record_channels(scene, &cameras, &batch, &channels)
         })?;
         let renderer = self.0.clone();
         let held = Arc::clone(&scene.held);
-        let recording = Arc::new(Mutex::new(recording));
-        Ok(Recording { renderer, held, recording, shape, cameras: number })
+        let tape = Arc::new(Mutex::new(tape));
+        Ok(Tape { renderer, held, tape, shape, cameras: number })
     }
 
     /// Explains a pixel, Gaussian by Gaussian.
@@ -199,7 +199,7 @@ impl Renderer {
 
 #[pymethods]
 impl DeviceScene {
-    /// Replaces the values of tensors, given by name, in place. Recordings of the old scene have no gradient anymore.
+    /// Replaces the values of tensors, given by name, in place. Tapes of the old scene have no gradient anymore.
     ///
     /// Raises `ValueError` if a tensor is unknown, of another shape or not finite. Tensors before it are written
     /// then.

@@ -83,7 +83,7 @@ pub fn export<'py>(
     Ok(dict)
 }
 
-/// Makes a scene from a file of Gaussians. Returns the PSNR between its images and those of the file, in dB.
+/// Makes a scene from a file of Gaussians. Returns the PSNR between its images and the file's, in dB.
 #[pyfunction]
 pub fn import_splats(
     py: Python<'_>,
@@ -117,6 +117,6 @@ fn within(name: &str, value: i64, range: RangeInclusive<i64>) -> PyResult<u32> {
     if range.contains(&value) {
         return Ok(value as u32);
     }
-    let (least, most) = range.into_inner();
-    Err(invalid(format!("`{name}` is {value}, expected {least} to {most}")))
+    let (min, max) = range.into_inner();
+    Err(invalid(format!("`{name}` is {value}, expected {min} to {max}")))
 }

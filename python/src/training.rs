@@ -1,5 +1,6 @@
 //! Training step by step: a thread trains, and Python asks it for the next event by messages.
 
+use std::ffi::CString;
 use std::path::{Path, PathBuf, absolute};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -15,6 +16,7 @@ use organza::train::report::Reporter;
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, RunFolder, Session, StepHooks, Trainer,
 };
+use pyo3::exceptions::PyFutureWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -34,6 +36,7 @@ impl TrainConfig {
     /// Combines a preset, a file that overrides it, and assignments such as `run.steps=300` that override both.
     #[new]
     fn new(
+        py: Python<'_>,
         preset: Option<&str>,
         file: Option<PathBuf>,
         assignments: Vec<String>,
@@ -45,6 +48,10 @@ impl TrainConfig {
         }
         for assignment in &assignments {
             builder = builder.set(assignment).map_err(raise)?;
+        }
+        for note in builder.notes() {
+            let note = CString::new(note.as_str())?;
+            PyErr::warn(py, &py.get_type::<PyFutureWarning>(), &note, 2)?;
         }
         builder.build().map(Self).map_err(raise)
     }
@@ -174,13 +181,13 @@ impl Training {
                 dict.set_item("text", text)?;
                 "warning"
             }
-            Message::Step(StepNumbers { step, seconds, loss, psnr, gaussians, grown }) => {
+            Message::Step(StepNumbers { step, seconds, loss, psnr, gaussians, densified }) => {
                 dict.set_item("step", step)?;
                 dict.set_item("seconds", seconds)?;
                 dict.set_item("loss", loss)?;
                 dict.set_item("psnr", psnr)?;
                 dict.set_item("gaussians", gaussians)?;
-                dict.set_item("grown", grown)?;
+                dict.set_item("densified", densified)?;
                 "step"
             }
             Message::Evaluated { step, psnr, ssim } => {
@@ -286,7 +293,7 @@ impl Channel {
     }
 }
 
-/// The settings of rank 0. Only rank 0 knows those of a resumed run.
+/// The settings of rank 0. Only rank 0 knows a resumed run's settings.
 fn settings_of_first(
     ranks: &PythonRanks,
     mine: organza::TrainConfig,
@@ -324,7 +331,7 @@ pub struct StepNumbers {
     pub loss: f64,
     pub psnr: f64,
     pub gaussians: usize,
-    pub grown: bool,
+    pub densified: bool,
 }
 
 /// An answer of Python.
@@ -409,9 +416,12 @@ impl Run {
                     let loss = report.loss;
                     let psnr = report.psnr;
                     let gaussians = scene.len();
-                    let grown = report.grown.is_some();
+                    let densified = report.densified.is_some();
                     let seconds = Some(seconds);
-                    self.step(StepNumbers { step, seconds, loss, psnr, gaussians, grown }, scene);
+                    self.step(
+                        StepNumbers { step, seconds, loss, psnr, gaussians, densified },
+                        scene,
+                    );
                 }
                 Event::Evaluated(evaluation) => {
                     let psnr = evaluation.mean.psnr;
@@ -459,9 +469,9 @@ impl Run {
             let loss = report.loss;
             let psnr = report.psnr;
             let gaussians = scene.len();
-            let grown = report.grown.is_some();
+            let densified = report.densified.is_some();
             let seconds = Some(begin.elapsed().as_secs_f64());
-            self.step(StepNumbers { step, seconds, loss, psnr, gaussians, grown }, scene);
+            self.step(StepNumbers { step, seconds, loss, psnr, gaussians, densified }, scene);
         }
         Ok("finished")
     }

@@ -21,15 +21,15 @@ SETTINGS = {
     "data.built_in_side": 32,
     "data.hold_out_every": 3,
     "start.gaussians": 100,
-    "growth.max_gaussians": 200,
-    "growth.every": 2,
-    "growth.begin": 0,
-    "growth.end": 1,
+    "densification.max_gaussians": 200,
+    "densification.every": 2,
+    "densification.begin": 0,
+    "densification.end": 1,
 }
 
 
 def checkpoint_of(folder):
-    """Every tensor's type, shape and bytes, those of the moments and statistics included."""
+    """Every tensor's type, shape and bytes, the moments and statistics included."""
     data = (folder / "checkpoint.safetensors").read_bytes()
     length = int.from_bytes(data[:8], "little")
     header = json.loads(data[8 : 8 + length])

@@ -85,13 +85,13 @@ def test_cameras_of_a_data_set_are_of_the_world(renderer, scene, cameras, tmp_pa
     assert np.allclose(loaded.poses, expected.poses, rtol=1e-12)
 
 
-def test_a_released_recording_has_the_same_gradients(renderer, scene, cameras, tiles, slopes):
-    recording = renderer.record(scene, cameras, tiles)
-    rendered, _ = recording.tiles()
+def test_a_released_tape_has_the_same_gradients(renderer, scene, cameras, tiles, slopes):
+    tape = renderer.record(scene, cameras, tiles)
+    rendered, _ = tape.tiles()
     assert np.array_equal(rendered, renderer.render(scene, cameras, tiles))
-    first = recording.backward(slopes)
-    recording.release()
-    again = recording.backward(slopes)
+    first = tape.backward(slopes)
+    tape.release()
+    again = tape.backward(slopes)
     assert list(first) == list(scene.tensors())
     for name, values in scene.tensors().items():
         assert first[name].shape == values.shape and np.array_equal(first[name], again[name])
@@ -116,7 +116,7 @@ def test_a_gradient_is_a_finite_difference(renderer, scene, cameras, tiles, slop
 
 def test_a_scene_on_the_device_is_written_in_place(renderer, scene, cameras, tiles, slopes):
     device = renderer.upload(scene)
-    recording = renderer.record(device, cameras, tiles)
+    tape = renderer.record(device, cameras, tiles)
     changed = {name: values * np.float32(0.9) for name, values in scene.tensors().items()}
     device.write(changed)
     for name, values in device.download().tensors().items():
@@ -125,7 +125,7 @@ def test_a_scene_on_the_device_is_written_in_place(renderer, scene, cameras, til
     found = renderer.render(device, cameras, tiles)
     assert np.array_equal(found, renderer.render(expected, cameras, tiles))
     with pytest.raises(ValueError, match="record it again"):
-        recording.backward(slopes)
+        tape.backward(slopes)
 
 
 def test_pictures_are_png(renderer, scene, cameras, tmp_path):

@@ -21,7 +21,7 @@ SMALL = {
     "data.built_in_side": 32,
     "data.hold_out_every": 2,
     "start.gaussians": 100,
-    "growth.max_gaussians": 200,
+    "densification.max_gaussians": 200,
 }
 
 
@@ -31,7 +31,7 @@ def small(**more):
 
 @pytest.fixture(scope="module")
 def dataset(renderer):
-    """That of the settings: rendering it takes longer than the steps."""
+    """As the settings say: rendering it takes longer than the steps."""
     return organza.Dataset.built_in(renderer, views=4, side=32, hold_out_every=2)
 
 

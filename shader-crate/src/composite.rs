@@ -1,9 +1,9 @@
-//! B3. The weighted sum over a tile's members (Eq. 12), for all tiles of a batch at once: pixels along x and y, tiles
+//! B3. The weighted sum over a tile's intersections (Eq. 12), for all tiles of a batch at once: pixels along x and y, tiles
 //! along z.
 
 use glam::{UVec3, Vec3, Vec4};
 
-use crate::limits::MAX_MEMBERS;
+use crate::limits::MAX_INTERSECTIONS;
 use crate::project::{falloff, in_support, mahalanobis};
 #[cfg(not(target_arch = "spirv"))]
 use crate::splat::SPLAT;
@@ -19,7 +19,7 @@ use muslin::work::{NUMBER, Shape, VECTOR, Work};
 pub struct CompositeParams {
     /// S, in pixels.
     pub side: u32,
-    /// Members of each tile that earlier dispatches have summed up.
+    /// Intersections of each tile that earlier dispatches have summed up.
     pub skip: u32,
 }
 
@@ -46,28 +46,28 @@ pub fn alpha<L: Lane>(placed: Vec4, q: L) -> L {
 /// Planes of a tile's sums: the channels of C, then S.
 pub const SUM_PLANES: u32 = 4;
 
-/// Members that [`composite`] copies to workgroup memory at once.
+/// Intersections that [`composite`] copies to workgroup memory at once.
 const SHARED_MEMBERS: usize = 64;
 
 /// Their vectors.
 const SHARED_VECTORS: usize = SHARED_MEMBERS * VECTORS as usize;
 
-/// The splats of a tile's members.
+/// The splats of a tile's intersections.
 #[derive(Clone, Copy)]
-struct MemberSplats<'a> {
-    member: Read<'a, u32>,
+struct IntersectionSplats<'a> {
+    intersection: Read<'a, u32>,
     splat: Read<'a, Vec4>,
-    /// The first member.
+    /// The first intersection.
     first: u32,
 }
 
-impl Source<Vec4> for MemberSplats<'_> {
+impl Source<Vec4> for IntersectionSplats<'_> {
     const ELEMENTS: u32 = VECTORS;
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
     fn offset(self, item: u32) -> u32 {
-        self.member.read(self.first + item) * VECTORS
+        self.intersection.read(self.first + item) * VECTORS
     }
 
     #[inline(always)]
@@ -77,15 +77,15 @@ impl Source<Vec4> for MemberSplats<'_> {
     }
 }
 
-/// The cells of a tile's members.
+/// The cells of a tile's intersections.
 #[derive(Clone, Copy)]
-struct MemberCells<'a> {
+struct IntersectionCells<'a> {
     cells: Read<'a, u32>,
-    /// The first member.
+    /// The first intersection.
     first: u32,
 }
 
-impl Source<u32> for MemberCells<'_> {
+impl Source<u32> for IntersectionCells<'_> {
     const ELEMENTS: u32 = 1;
 
     #[inline(always)]
@@ -100,32 +100,35 @@ impl Source<u32> for MemberCells<'_> {
     }
 }
 
-/// Operations and bytes of [`composite`]. An upper limit: every member at every pixel of its tile.
+/// Operations and bytes of [`composite`]. An upper limit: every intersection at every pixel of its tile.
 #[cfg(not(target_arch = "spirv"))]
 fn composite_work(params: &CompositeParams, shape: Shape<'_>) -> Work {
-    /// The binding of the members, among the storage buffers.
-    const MEMBER: usize = 2;
-    /// Operations of a member at a pixel.
+    /// The binding of the intersections, among the storage buffers.
+    const INTERSECTION: usize = 2;
+    /// Operations of an intersection at a pixel.
     const COMPOSITE: u64 = 20;
     let area = u64::from(params.side).pow(2);
-    // a fuller tile takes more dispatches: the first one stands for all of its members
-    let members = if params.skip == 0 { shape.elements[MEMBER] } else { 0 };
+    // a fuller tile takes more dispatches: the first one stands for all of its intersections
+    let intersections = if params.skip == 0 { shape.elements[INTERSECTION] } else { 0 };
     let sums = shape.workgroups_z * area * VECTOR;
-    // a member's pair, cells and splat
-    Work { flops: COMPOSITE * members * area, bytes: members * (2 * NUMBER + SPLAT) + 2 * sums }
+    // an intersection's pair, cells and splat
+    Work {
+        flops: COMPOSITE * intersections * area,
+        bytes: intersections * (2 * NUMBER + SPLAT) + 2 * sums,
+    }
 }
 
-/// Adds up to [`MAX_MEMBERS`] members to `sum [tiles, 4, S, S]`, which holds (C, S) of Eq. 12.
+/// Adds up to [`MAX_INTERSECTIONS`] intersections to `sum [tiles, 4, S, S]`, which holds (C, S) of Eq. 12.
 ///
-/// The members of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order; `cells [members]` as
+/// The intersections of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order; `cells [intersections]` as
 /// [`tile_cells`](crate::tile_cells::tile_cells()) writes them.
-#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), iterations = MAX_MEMBERS + MAX_MEMBERS / 8, lanes(side), work(composite_work))]
+#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), iterations = MAX_INTERSECTIONS + MAX_INTERSECTIONS / 8, lanes(side), work(composite_work))]
 pub fn composite<L: Lane>(
     id: Invocation,
     params: &CompositeParams,
     tile: Read<i32>,
     tile_first: Read<u32>,
-    member: Read<u32>,
+    intersection: Read<u32>,
     cells: Read<u32>,
     splat: Read<Vec4>,
     sum: Write<f32>,
@@ -143,7 +146,7 @@ pub fn composite<L: Lane>(
         let y = L::splat(first.y);
         let begin = tile_first.read(t) + params.skip;
         let all = tile_first.read(t + 1);
-        let end = if all < begin + MAX_MEMBERS { all } else { begin + MAX_MEMBERS };
+        let end = if all < begin + MAX_INTERSECTIONS { all } else { begin + MAX_INTERSECTIONS };
         let area = params.side * params.side;
         let at = t * SUM_PLANES * area + place.y * params.side + place.x;
         let zero = L::splat(0.0);
@@ -161,15 +164,15 @@ pub fn composite<L: Lane>(
         let cell = Cells::new(params.side).bit(place.x, place.y);
         let mut next = begin;
         while next < end {
-            let cells = MemberCells { cells, first: next };
-            let splats = MemberSplats { member, splat, first: next };
-            let members = shared_cells.capacity(cells, end - next);
+            let cells = IntersectionCells { cells, first: next };
+            let splats = IntersectionSplats { intersection, splat, first: next };
+            let intersections = shared_cells.capacity(cells, end - next);
             shared_cells.wait(id);
-            shared_cells.fill(id, members, cells);
-            shared_splats.fill(id, members, splats);
+            shared_cells.fill(id, intersections, cells);
+            shared_splats.fill(id, intersections, splats);
             shared_cells.wait(id);
             let mut k = 0;
-            while k < members {
+            while k < intersections {
                 if shared_cells.element(shared_cells.offset(k, cells), cells) & cell != 0 {
                     let offset = shared_splats.offset(k, splats);
                     let placed = shared_splats.element(offset, splats);
@@ -186,7 +189,7 @@ pub fn composite<L: Lane>(
                 }
                 k += 1;
             }
-            next += members;
+            next += intersections;
         }
         if inside {
             red.write(sum, at);

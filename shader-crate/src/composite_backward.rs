@@ -1,4 +1,4 @@
-//! B3. The derivative of the weighted sums (Eq. 12): the gradient of each member's splat, summed over its tile's pixels.
+//! B3. The derivative of the weighted sums (Eq. 12): the gradient of each intersection's splat, summed over its tile's pixels.
 
 use glam::{Vec3, Vec4};
 
@@ -18,8 +18,8 @@ use muslin::work::{NUMBER, Shape, VECTOR, Work, wide};
 /// Parameters of [`composite_backward`].
 #[params]
 pub struct CompositeBackwardParams {
-    /// Members of all tiles.
-    pub members: u32,
+    /// Intersections of all tiles.
+    pub intersections: u32,
     /// Tiles of the part.
     pub tiles: u32,
     /// S, in pixels.
@@ -61,7 +61,7 @@ impl Span {
     }
 }
 
-/// The sums over a member's pixels.
+/// The sums over an intersection's pixels.
 ///
 /// With h = falloff dL/dalpha, sums of h, of `h d` and of `h d d^T` for the distances d of pixels from the center.
 #[derive(Clone, Copy)]
@@ -149,7 +149,7 @@ fn moments<L: Lane>(
     }
 }
 
-/// Sums over the pixels that a member's support may reach, and some beside it in the same rows, which add nothing.
+/// Sums over the pixels that an intersection's support may reach, and some beside it in the same rows, which add nothing.
 #[inline(always)]
 fn all_moments<L: Lane>(
     gradient: Read<f32>,
@@ -164,8 +164,8 @@ fn all_moments<L: Lane>(
     let wanted = (columns.end - columns.begin).div_ceil(L::WIDTH);
     let fitting = side / L::WIDTH;
     let blocks = if wanted < fitting { wanted } else { fitting };
-    let most = side - blocks * L::WIDTH;
-    let begin = if columns.begin < most { columns.begin } else { most };
+    let max = side - blocks * L::WIDTH;
+    let begin = if columns.begin < max { columns.begin } else { max };
     let mut sum = moments::<L>(gradient, at, side, rows, begin, blocks, origin, splat);
     let end = begin + blocks * L::WIDTH;
     if L::WIDTH > 1 && end < columns.end {
@@ -180,43 +180,43 @@ fn all_moments<L: Lane>(
     sum
 }
 
-/// Operations and bytes of [`composite_backward`]. An upper limit: every member at every pixel of its tile.
+/// Operations and bytes of [`composite_backward`]. An upper limit: every intersection at every pixel of its tile.
 #[cfg(not(target_arch = "spirv"))]
 fn composite_backward_work(params: &CompositeBackwardParams, _: Shape<'_>) -> Work {
-    /// Operations of a member at a pixel.
+    /// Operations of an intersection at a pixel.
     const COMPOSITE_BACKWARD: u64 = 30;
-    let [members, tiles, side, rows] =
-        wide([params.members, params.tiles, params.side, params.rows]);
+    let [intersections, tiles, side, rows] =
+        wide([params.intersections, params.tiles, params.side, params.rows]);
     Work {
-        flops: COMPOSITE_BACKWARD * members * side * rows,
-        bytes: members * (NUMBER + SPLAT + 2 * SPLAT) + tiles * side * rows * VECTOR,
+        flops: COMPOSITE_BACKWARD * intersections * side * rows,
+        bytes: intersections * (NUMBER + SPLAT + 2 * SPLAT) + tiles * side * rows * VECTOR,
     }
 }
 
-/// Adds to `member_gradient [members, 3]` the gradient of each member's splat from some rows of its tile, given
+/// Adds to `intersection_gradient [intersections, 3]` the gradient of each intersection's splat from some rows of its tile, given
 /// `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS: `(d mean2d x, y, d weight, 0), (d conic xx, xy, yy, 0),
 /// (d color, 0)`.
 ///
 /// The derivative of Eq. 12: with `alpha = weight falloff(q)`, `dL/dalpha = dL/dC . c + dL/dS`, and
 /// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  The weight is the one before its [`Compensation`], which depends on
-/// the conic.  One invocation for each member of a tile: pixels are summed
+/// the conic.  One invocation for each intersection of a tile: pixels are summed
 /// in an order that nothing changes.
-#[kernel(threads(64), over(params.members), iterations = u32::BITS + MAX_BAND, lanes, counts(members), work(composite_backward_work))]
+#[kernel(threads(64), over(params.intersections), iterations = u32::BITS + MAX_BAND, lanes, counts(intersections), work(composite_backward_work))]
 pub fn composite_backward<L: Lane>(
     id: Invocation,
     params: &CompositeBackwardParams,
     tile: Read<i32>,
     tile_first: Read<u32>,
-    member: Read<u32>,
+    intersection: Read<u32>,
     splat: Read<Vec4>,
     sum_gradient: Read<f32>,
-    member_gradient: Write<Vec4>,
+    intersection_gradient: Write<Vec4>,
 ) {
     let index = id.index();
-    if index < params.members {
+    if index < params.intersections {
         let t = owner(tile_first, params.tiles, index);
         let [x, y] = Tile::read(tile, t).origin;
-        let vector = member.read(index) * VECTORS;
+        let vector = intersection.read(index) * VECTORS;
         let placed = splat.read(vector);
         let conic = splat.read(vector + 1);
         let color = splat.read(vector + 2);
@@ -245,13 +245,13 @@ pub fn composite_backward<L: Lane>(
                 shape += compensation.log_slope * (sum.first.x * weight);
             }
             let first = index * VECTORS;
-            let before = member_gradient.read(first);
-            member_gradient.write(first, before + geometry);
-            let before = member_gradient.read(first + 1);
-            member_gradient.write(first + 1, before + shape.extend(0.0));
+            let before = intersection_gradient.read(first);
+            intersection_gradient.write(first, before + geometry);
+            let before = intersection_gradient.read(first + 1);
+            intersection_gradient.write(first + 1, before + shape.extend(0.0));
             if params.colors != 0 {
-                let before = member_gradient.read(first + 2);
-                member_gradient.write(first + 2, before + (sum.color * weight).extend(0.0));
+                let before = intersection_gradient.read(first + 2);
+                intersection_gradient.write(first + 2, before + (sum.color * weight).extend(0.0));
             }
         }
     }

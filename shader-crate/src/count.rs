@@ -1,4 +1,4 @@
-//! Counts that stay on the device: how many pairs, members and samples there are.
+//! Counts that stay on the device: how many pairs, intersections and samples there are.
 //!
 //! The host sizes tables by what earlier batches needed, and does not wait for the numbers. If one of them exceeds its
 //! capacity, all count as 0: nothing is written past a table's end, and nothing is added to a gradient. The host reads the
@@ -9,8 +9,8 @@ use muslin::prelude::*;
 
 /// Index in `counts`: (Gaussian, camera) pairs.
 pub const PAIRS: u32 = 1;
-/// Index in `counts`: (Gaussian, tile) memberships.
-pub const MEMBERS: u32 = 2;
+/// Index in `counts`: tile intersections.
+pub const INTERSECTIONS: u32 = 2;
 /// Index in `counts`: samples of the transmittance network.
 pub const SAMPLES: u32 = 3;
 /// Index in `counts`: `u32::MAX`, where a kernel runs over all its items unless [`OVERFLOW`] is raised.

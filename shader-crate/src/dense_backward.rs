@@ -76,7 +76,7 @@ fn read_column<S: Samples>(buffer: ReadFours<f32>, first: u32, stride: u32) -> L
 
 /// The smaller of two numbers.
 #[inline(always)]
-pub fn least(a: u32, b: u32) -> u32 {
+pub fn min(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
 
@@ -177,10 +177,10 @@ fn weight_rows(params: &DenseBackwardParams, first: u32) -> [u32; 4] {
     let weight = params.weight;
     let columns = params.columns;
     [
-        weight + least(first, last) * columns,
-        weight + least(first + 1, last) * columns,
-        weight + least(first + 2, last) * columns,
-        weight + least(first + 3, last) * columns,
+        weight + min(first, last) * columns,
+        weight + min(first + 1, last) * columns,
+        weight + min(first + 2, last) * columns,
+        weight + min(first + 3, last) * columns,
     ]
 }
 
@@ -276,11 +276,11 @@ fn add_scaled<L: Lane>(sum: LaneVec4<L>, x: L, g: LaneVec4<L>) -> LaneVec4<L> {
 }
 
 /// Samples whose values are read together where [`Lane::READS_FOUR`]. Rows are then counted in fours.
-pub const FEW: u32 = 4;
+pub const QUAD: u32 = 4;
 
 /// Where a few samples lie, in fours, and the range of those that count.
 #[derive(Clone, Copy)]
-pub struct Few {
+pub struct QuadCursor {
     /// Where they lie.
     pub at: u32,
     /// The first sample that counts.
@@ -289,31 +289,31 @@ pub struct Few {
     pub end: u32,
 }
 
-impl Few {
+impl QuadCursor {
     /// Whether a loop goes on here: over whole vectors while there are any, or over single samples up to the next whole vector.
     #[inline(always)]
     fn is_next<const WHOLE: bool>(self) -> bool {
-        let first = FEW * self.at;
-        let is_last = first + FEW > self.end;
+        let first = QUAD * self.at;
+        let is_last = first + QUAD > self.end;
         if WHOLE { !is_last } else { first < self.end && (first < self.begin || is_last) }
     }
 }
 
 /// [`read_column`] of a few samples.
 #[inline(always)]
-fn read_few<L: Lane, const WHOLE: bool>(
+fn read_quad<L: Lane, const WHOLE: bool>(
     rows: ReadFours<f32>,
     first: u32,
     stride: u32,
-    few: Few,
-) -> [LaneVec4<L>; FEW as usize] {
-    let few = [
-        few_of_row::<L, WHOLE>(rows, first, few),
-        few_of_row::<L, WHOLE>(rows, first + stride, few),
-        few_of_row::<L, WHOLE>(rows, first + 2 * stride, few),
-        few_of_row::<L, WHOLE>(rows, first + 3 * stride, few),
+    cursor: QuadCursor,
+) -> [LaneVec4<L>; QUAD as usize] {
+    let quads = [
+        quad_of_row::<L, WHOLE>(rows, first, cursor),
+        quad_of_row::<L, WHOLE>(rows, first + stride, cursor),
+        quad_of_row::<L, WHOLE>(rows, first + 2 * stride, cursor),
+        quad_of_row::<L, WHOLE>(rows, first + 3 * stride, cursor),
     ];
-    let [x, y, z, w] = few;
+    let [x, y, z, w] = quads;
     [
         LaneVec4 { x: x[0], y: y[0], z: z[0], w: w[0] },
         LaneVec4 { x: x[1], y: y[1], z: z[1], w: w[1] },
@@ -324,15 +324,15 @@ fn read_few<L: Lane, const WHOLE: bool>(
 
 /// A few values of a row, and zeros for those that do not count.
 #[inline(always)]
-pub fn few_of_row<L: Lane, const WHOLE: bool>(
+pub fn quad_of_row<L: Lane, const WHOLE: bool>(
     rows: ReadFours<f32>,
     row: u32,
-    few: Few,
-) -> [L; FEW as usize] {
-    let [x, y, z, w] = Four::read_vector(rows, row + few.at).each();
+    cursor: QuadCursor,
+) -> [L; QUAD as usize] {
+    let [x, y, z, w] = Four::read_vector(rows, row + cursor.at).each();
     let kept = |value: L, place: u32| {
-        let sample = FEW * few.at + place;
-        if WHOLE || sample.wrapping_sub(few.begin) < few.end - few.begin {
+        let sample = QUAD * cursor.at + place;
+        if WHOLE || sample.wrapping_sub(cursor.begin) < cursor.end - cursor.begin {
             value
         } else {
             L::splat(0.0)
@@ -343,10 +343,10 @@ pub fn few_of_row<L: Lane, const WHOLE: bool>(
 
 /// `sum + x g` of a few samples, one after another.
 #[inline(always)]
-pub fn add_few<L: Lane>(
+pub fn add_quad<L: Lane>(
     sum: LaneVec4<L>,
-    [x0, x1, x2, x3]: [L; FEW as usize],
-    [g0, g1, g2, g3]: [LaneVec4<L>; FEW as usize],
+    [x0, x1, x2, x3]: [L; QUAD as usize],
+    [g0, g1, g2, g3]: [LaneVec4<L>; QUAD as usize],
 ) -> LaneVec4<L> {
     let sum = add_scaled(sum, x0, g0);
     let sum = add_scaled(sum, x1, g1);
@@ -417,20 +417,20 @@ pub fn dense_weight_backward<L: Lane>(
     let end = params.first_sample + params.samples;
     let window = params.first_sample + id.workgroup.z * slice;
     if has_part && window < end {
-        let stop = least(window + slice, end);
+        let stop = min(window + slice, end);
         let mut camera = camera_of(params, first_pair, first_sample, window);
         let begin = first_of(params, first_pair, first_sample, camera);
         let mut camera_end = first_of(params, first_pair, first_sample, camera + 1);
         let before = (window - begin) % slice;
         let is_first = id.workgroup.z == 0 || before == 0;
         let mut first =
-            if is_first { window - before } else { least(window - before + slice, camera_end) };
+            if is_first { window - before } else { min(window - before + slice, camera_end) };
         while first < stop {
             if first == camera_end {
                 camera += 1;
                 camera_end = first_of(params, first_pair, first_sample, camera + 1);
             } else {
-                let last = least(first + slice, camera_end);
+                let last = min(first + slice, camera_end);
                 let part = part_of(params, [first, last]);
                 if staged.is_shared() {
                     let rows = [input, output_gradient];
@@ -525,7 +525,7 @@ fn part_of(params: &DenseWeightBackwardParams, [first, last]: [u32; 2]) -> Slice
     let values = 4 * params.parameters;
     SlicePart {
         begin: if first > chunk { first - chunk } else { 0 },
-        end: least(last - chunk, params.samples),
+        end: min(last - chunk, params.samples),
         continues: first < chunk,
         is_whole: last <= chunk + params.samples,
         before: params.turn * values,
@@ -568,9 +568,9 @@ fn add_slice<L: Lane>(
         let first = block * WEIGHT_ROWS_PER_INVOCATION;
         let to = 4 * (params.weight + first * columns);
         // inputs past the last repeat it
-        let to1 = to + 4 * least(1, inputs - 1 - first) * columns;
-        let to2 = to + 4 * least(2, inputs - 1 - first) * columns;
-        let to3 = to + 4 * least(3, inputs - 1 - first) * columns;
+        let to1 = to + 4 * min(1, inputs - 1 - first) * columns;
+        let to2 = to + 4 * min(2, inputs - 1 - first) * columns;
+        let to3 = to + 4 * min(3, inputs - 1 - first) * columns;
         let from = [part.before + to, part.before + to1, part.before + to2, part.before + to3];
         let rows = input_rows(params, first);
         let sums = begin_sums::<L>(carry, from, outputs, of_lanes);
@@ -676,10 +676,10 @@ pub fn begin_sum<L: Lane>(
     let Outputs { first, step, end } = outputs;
     LaneVec4::<L>::splat(if continues {
         Vec4::new(
-            carry.read(row + least(first, end - 1)),
-            carry.read(row + least(first + step, end - 1)),
-            carry.read(row + least(first + 2 * step, end - 1)),
-            carry.read(row + least(first + 3 * step, end - 1)),
+            carry.read(row + min(first, end - 1)),
+            carry.read(row + min(first + step, end - 1)),
+            carry.read(row + min(first + 2 * step, end - 1)),
+            carry.read(row + min(first + 3 * step, end - 1)),
         )
     } else {
         Vec4::ZERO
@@ -715,10 +715,13 @@ fn sum_products<L: Lane>(
     [begin, end]: [u32; 2],
 ) -> ([LaneVec4<L>; 4], u32) {
     if L::READS_FOUR {
-        let few = Few { at: begin / FEW, begin, end };
-        let (sums, few) = sum_few::<L, false>(before, input, rows, output_gradient, g, stride, few);
-        let (sums, few) = sum_few::<L, true>(sums, input, rows, output_gradient, g, stride, few);
-        let (sums, _) = sum_few::<L, false>(sums, input, rows, output_gradient, g, stride, few);
+        let cursor = QuadCursor { at: begin / QUAD, begin, end };
+        let (sums, cursor) =
+            sum_quads::<L, false>(before, input, rows, output_gradient, g, stride, cursor);
+        let (sums, cursor) =
+            sum_quads::<L, true>(sums, input, rows, output_gradient, g, stride, cursor);
+        let (sums, _) =
+            sum_quads::<L, false>(sums, input, rows, output_gradient, g, stride, cursor);
         (sums, end)
     } else {
         sum_each(before, input, rows, output_gradient, g, stride, [begin, end])
@@ -751,35 +754,35 @@ fn sum_each<L: Lane>(
     ([sum0, sum1, sum2, sum3], sample)
 }
 
-/// As [`sum_products`], for a single lane and a few samples at a time: as [`Few::is_next`] says.
+/// As [`sum_products`], for a single lane and a few samples at a time: as [`QuadCursor::is_next`] says.
 #[loops]
 #[inline(always)]
-fn sum_few<L: Lane, const WHOLE: bool>(
+fn sum_quads<L: Lane, const WHOLE: bool>(
     before: [LaneVec4<L>; 4],
     input: ReadFours<f32>,
     [row0, row1, row2, row3]: [u32; 4],
     output_gradient: ReadFours<f32>,
     g: u32,
     stride: u32,
-    mut few: Few,
-) -> ([LaneVec4<L>; 4], Few) {
+    mut cursor: QuadCursor,
+) -> ([LaneVec4<L>; 4], QuadCursor) {
     let [mut sum0, mut sum1, mut sum2, mut sum3] = before;
-    let [row0, row1, row2, row3] = [row0 / FEW, row1 / FEW, row2 / FEW, row3 / FEW];
-    let g = g / FEW;
-    let stride = stride / FEW;
-    while few.is_next::<WHOLE>() {
-        let g = read_few::<L, WHOLE>(output_gradient, g, stride, few);
-        let x0 = few_of_row::<L, WHOLE>(input, row0, few);
-        let x1 = few_of_row::<L, WHOLE>(input, row1, few);
-        let x2 = few_of_row::<L, WHOLE>(input, row2, few);
-        let x3 = few_of_row::<L, WHOLE>(input, row3, few);
-        sum0 = add_few(sum0, x0, g);
-        sum1 = add_few(sum1, x1, g);
-        sum2 = add_few(sum2, x2, g);
-        sum3 = add_few(sum3, x3, g);
-        few.at += 1;
+    let [row0, row1, row2, row3] = [row0 / QUAD, row1 / QUAD, row2 / QUAD, row3 / QUAD];
+    let g = g / QUAD;
+    let stride = stride / QUAD;
+    while cursor.is_next::<WHOLE>() {
+        let g = read_quad::<L, WHOLE>(output_gradient, g, stride, cursor);
+        let x0 = quad_of_row::<L, WHOLE>(input, row0, cursor);
+        let x1 = quad_of_row::<L, WHOLE>(input, row1, cursor);
+        let x2 = quad_of_row::<L, WHOLE>(input, row2, cursor);
+        let x3 = quad_of_row::<L, WHOLE>(input, row3, cursor);
+        sum0 = add_quad(sum0, x0, g);
+        sum1 = add_quad(sum1, x1, g);
+        sum2 = add_quad(sum2, x2, g);
+        sum3 = add_quad(sum3, x3, g);
+        cursor.at += 1;
     }
-    ([sum0, sum1, sum2, sum3], few)
+    ([sum0, sum1, sum2, sum3], cursor)
 }
 
 /// Sums of a column's four rows, over the samples that fill all lanes; and the first sample after them.
@@ -792,10 +795,10 @@ fn sum_lanes<L: Lane>(
     [begin, end]: [u32; 2],
 ) -> (LaneVec4<L>, u32) {
     if L::READS_FOUR {
-        let few = Few { at: begin / FEW, begin, end };
-        let (sum, few) = sum_few_lanes::<L, false>(before, rows, first, stride, few);
-        let (sum, few) = sum_few_lanes::<L, true>(sum, rows, first, stride, few);
-        let (sum, _) = sum_few_lanes::<L, false>(sum, rows, first, stride, few);
+        let cursor = QuadCursor { at: begin / QUAD, begin, end };
+        let (sum, cursor) = sum_quad_lanes::<L, false>(before, rows, first, stride, cursor);
+        let (sum, cursor) = sum_quad_lanes::<L, true>(sum, rows, first, stride, cursor);
+        let (sum, _) = sum_quad_lanes::<L, false>(sum, rows, first, stride, cursor);
         (sum, end)
     } else {
         sum_each_lane(before, rows, first, stride, [begin, end])
@@ -821,23 +824,23 @@ fn sum_each_lane<L: Lane>(
     (sum, sample)
 }
 
-/// As [`sum_few`], of [`sum_lanes`].
+/// As [`sum_quads`], of [`sum_lanes`].
 #[loops]
 #[inline(always)]
-fn sum_few_lanes<L: Lane, const WHOLE: bool>(
+fn sum_quad_lanes<L: Lane, const WHOLE: bool>(
     before: LaneVec4<L>,
     rows: ReadFours<f32>,
     first: u32,
     stride: u32,
-    mut few: Few,
-) -> (LaneVec4<L>, Few) {
+    mut cursor: QuadCursor,
+) -> (LaneVec4<L>, QuadCursor) {
     let mut sum = before;
-    while few.is_next::<WHOLE>() {
-        let [g0, g1, g2, g3] = read_few::<L, WHOLE>(rows, first / FEW, stride / FEW, few);
+    while cursor.is_next::<WHOLE>() {
+        let [g0, g1, g2, g3] = read_quad::<L, WHOLE>(rows, first / QUAD, stride / QUAD, cursor);
         sum = add(add(add(add(sum, g0), g1), g2), g3);
-        few.at += 1;
+        cursor.at += 1;
     }
-    (sum, few)
+    (sum, cursor)
 }
 
 /// Where the rows of a block's inputs begin; inputs past the last repeat it.
@@ -847,9 +850,9 @@ fn input_rows(params: &DenseWeightBackwardParams, first: u32) -> [u32; 4] {
     let stride = params.stride;
     [
         first * stride,
-        least(first + 1, last) * stride,
-        least(first + 2, last) * stride,
-        least(first + 3, last) * stride,
+        min(first + 1, last) * stride,
+        min(first + 2, last) * stride,
+        min(first + 3, last) * stride,
     ]
 }
 

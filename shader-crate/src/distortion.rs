@@ -18,7 +18,7 @@ use muslin::prelude::*;
 use muslin::work::{NUMBER, Shape, Work};
 
 /// Distances from the eye, in world units, are at least this.
-pub const LEAST_DISTANCE: f32 = 1e-6;
+pub const MIN_DISTANCE: f32 = 1e-6;
 
 /// Parameters of [`pair_inverse_distance`].
 #[params]
@@ -52,7 +52,7 @@ pub fn pair_inverse_distance(
         let camera = Camera::read(camera, slot / params.gaussians);
         let offset = read3(position, slot % params.gaussians * 3) - camera.eye;
         let distance = sqrt(dot(offset, offset));
-        let u = 1.0 / if distance > LEAST_DISTANCE { distance } else { LEAST_DISTANCE };
+        let u = 1.0 / if distance > MIN_DISTANCE { distance } else { MIN_DISTANCE };
         power.write(3 * index, u);
         power.write(3 * index + 1, u * u);
         power.write(3 * index + 2, 0.0);

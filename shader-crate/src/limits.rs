@@ -23,8 +23,8 @@ pub const MAX_FEATURES: u32 = 8;
 /// Largest number of samples of a segment, and of one across the whole unit cube.
 pub const MAX_SAMPLES: u32 = 16_384;
 
-/// Members that one dispatch of [`composite`](crate::composite::composite) adds up; a fuller tile takes more passes.
-pub const MAX_MEMBERS: u32 = 16_384;
+/// Intersections that one dispatch of [`composite`](crate::composite::composite) adds up; a fuller tile takes more passes.
+pub const MAX_INTERSECTIONS: u32 = 16_384;
 
 /// Tiles of one part of a batch: [`pair_mask`](crate::pair::pair_mask) loops over a camera's tiles.
 pub const MAX_TILES: u32 = 16_384;

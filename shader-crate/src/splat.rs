@@ -35,7 +35,7 @@ pub struct Compensation {
 }
 
 /// The smallest [`Compensation::factor`]: for a Gaussian so thin that rounding decides on its quotient.
-pub const LEAST_COMPENSATION: f32 = 1.0 / 255.0;
+pub const MIN_COMPENSATION: f32 = 1.0 / 255.0;
 
 impl Compensation {
     /// From a Gaussian's conic (xx, xy, yy) and a blur; 1 without a blur.
@@ -48,8 +48,8 @@ impl Compensation {
         let mut factor = 1.0;
         let mut log_slope = Vec3::ZERO;
         if blur > 0.0 {
-            factor = LEAST_COMPENSATION;
-            if quotient > LEAST_COMPENSATION * LEAST_COMPENSATION {
+            factor = MIN_COMPENSATION;
+            if quotient > MIN_COMPENSATION * MIN_COMPENSATION {
                 factor = sqrt(quotient);
                 log_slope = Vec3::new(y, 2.0 * xy, x) * (-0.5 * blur / quotient);
             }
@@ -111,7 +111,7 @@ pub struct SplatBackwardParams {
     pub words: u32,
 }
 
-/// Sums `member_gradient [members, 3]` over the tiles of a pair's camera, in ascending order, and goes on through the
+/// Sums `intersection_gradient [intersections, 3]` over the tiles of a pair's camera, in ascending order, and goes on through the
 /// weight: `pair_gradient [pairs, 3]` is `(d mean2d x, y, d opacity logit, dL/dT), (d conic xx, xy, yy, 0), (d color, 0)`.
 ///
 /// Of Eq. 12's `opacity = sigmoid(logit)`: `dL/dlogit = dL/dweight T s (1 - s)` and `dL/dT = dL/dweight s`.
@@ -122,10 +122,10 @@ pub fn splat_backward(
     pair: Read<u32>,
     first_tile: Read<u32>,
     tile_mask: Read<u32>,
-    first_member: Read<u32>,
+    first_intersection: Read<u32>,
     opacity: Read<f32>,
     transmittance: Read<f32>,
-    member_gradient: Read<Vec4>,
+    intersection_gradient: Read<Vec4>,
     pair_gradient: Write<Vec4>,
 ) {
     let index = id.index();
@@ -144,10 +144,10 @@ pub fn splat_backward(
             let bits = tile_mask.read(tile * params.words + word);
             if bits & bit != 0 {
                 let below = (bits & (bit - 1)).count_ones();
-                let first = VECTORS * (first_member.read(tile * params.words + word) + below);
-                geometry += member_gradient.read(first);
-                conic += member_gradient.read(first + 1);
-                color += member_gradient.read(first + 2);
+                let first = VECTORS * (first_intersection.read(tile * params.words + word) + below);
+                geometry += intersection_gradient.read(first);
+                conic += intersection_gradient.read(first + 1);
+                color += intersection_gradient.read(first + 2);
             }
             tile += 1;
         }

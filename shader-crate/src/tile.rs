@@ -1,7 +1,7 @@
 //! C. Which Gaussians reach which tiles (Eq. 14-15).
 //!
-//! Memberships are bits: word w of a tile holds the Gaussians 32 w .. 32 w + 31.  Counting the bits, scanning
-//! the counts and writing out the bits gives every tile's members in ascending order by construction, with
+//! Intersections are bits: word w of a tile holds the Gaussians 32 w .. 32 w + 31.  Counting the bits, scanning
+//! the counts and writing out the bits gives every tile's intersections in ascending order by construction, with
 //! no atomics and no sorting.
 
 use glam::{Vec2, Vec4};
@@ -57,8 +57,8 @@ pub fn distance_squared(x: Vec2, low: Vec2, side: f32) -> f32 {
 
 /// Eq. 15, with a margin for the rounding of f32.
 ///
-/// Where q is at most the cutoff, the falloff is not zero. In any tiling, the Gaussian must then be a member of the
-/// pixel's tile. A member too many adds exact zeros.
+/// Where q is at most the cutoff, the falloff is not zero. In any tiling, the Gaussian must then intersect the
+/// pixel's tile. An intersection too many adds exact zeros.
 #[inline(always)]
 pub fn reaches(mean2d: Vec2, radius: f32, low: Vec2, side: f32) -> bool {
     let r = radius * 1.001 + 0.01;
@@ -118,19 +118,19 @@ pub struct TileFillParams {
     pub words: u32,
 }
 
-/// Writes the members of every tile, as indices of pairs: words along x and y, tiles along z.
+/// Writes the intersections of every tile, as indices of pairs: words along x and y, tiles along z.
 ///
-/// `first_member [tiles, words]` and `first_pair [cameras, words]` are the scans of the counts.
+/// `first_intersection [tiles, words]` and `first_pair [cameras, words]` are the scans of the counts.
 #[kernel(threads(64), over(params.words, tile.len() / 4), iterations = u32::BITS)]
 pub fn tile_fill(
     id: Invocation,
     params: &TileFillParams,
     tile: Read<i32>,
     tile_mask: Read<u32>,
-    first_member: Read<u32>,
+    first_intersection: Read<u32>,
     pair_mask: Read<u32>,
     first_pair: Read<u32>,
-    member: Write<u32>,
+    intersection: Write<u32>,
 ) {
     let word = id.index();
     if word < params.words {
@@ -139,12 +139,12 @@ pub fn tile_fill(
         let camera_word = Tile::read(tile, t).camera * params.words + word;
         let camera_bits = pair_mask.read(camera_word);
         let pair = first_pair.read(camera_word);
-        let mut next = first_member.read(t * params.words + word);
+        let mut next = first_intersection.read(t * params.words + word);
         let mut bit = 0;
         while bit < 32 {
             if (bits >> bit) & 1 != 0 {
                 let below = camera_bits & ((1 << bit) - 1);
-                member.write(next, pair + below.count_ones());
+                intersection.write(next, pair + below.count_ones());
                 next += 1;
             }
             bit += 1;
@@ -161,17 +161,17 @@ pub struct TileRangeParams {
     pub words: u32,
 }
 
-/// Where the members of every tile begin: `tile_first [tiles + 1]`, of `first_member [tiles, words]` and the total
+/// Where the intersections of every tile begin: `tile_first [tiles + 1]`, of `first_intersection [tiles, words]` and the total
 /// behind it.
 #[kernel(threads(64), over(params.tiles + 1))]
 pub fn tile_range(
     id: Invocation,
     params: &TileRangeParams,
-    first_member: Read<u32>,
+    first_intersection: Read<u32>,
     tile_first: Write<u32>,
 ) {
     let tile = id.index();
     if tile <= params.tiles {
-        tile_first.write(tile, first_member.read(tile * params.words));
+        tile_first.write(tile, first_intersection.read(tile * params.words));
     }
 }

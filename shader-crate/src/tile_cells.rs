@@ -1,6 +1,6 @@
-//! B3. Which cells of its tile a member can reach, so that a pixel can skip the other members.
+//! B3. Which cells of its tile an intersection can reach, so that a pixel can skip the other intersections.
 //!
-//! A tile is cut into 4 columns and 8 rows of cells; a member's cells are the bits of a word. They include everything that
+//! A tile is cut into 4 columns and 8 rows of cells; an intersection's cells are the bits of a word. They include everything that
 //! [`touches`] accepts, because both round alike. So the image does not depend on them.
 
 use glam::Vec4;
@@ -44,31 +44,31 @@ impl Cells {
 /// Parameters of [`tile_cells`].
 #[params]
 pub struct TileCellsParams {
-    /// Members of all tiles.
-    pub members: u32,
+    /// Intersections of all tiles.
+    pub intersections: u32,
     /// Tiles of the part.
     pub tiles: u32,
     /// S, in pixels.
     pub side: u32,
 }
 
-/// Writes the cells of every member, `cells [members]`, by its splat's extent.
+/// Writes the cells of every intersection, `cells [intersections]`, by its splat's extent.
 ///
-/// `tile_first [tiles + 1]`, `member [members]`, `splat [pairs, 3]`.
-#[kernel(threads(64), over(params.members), iterations = 2 * u32::BITS + ROWS, counts(members))]
+/// `tile_first [tiles + 1]`, `intersection [intersections]`, `splat [pairs, 3]`.
+#[kernel(threads(64), over(params.intersections), iterations = 2 * u32::BITS + ROWS, counts(intersections))]
 pub fn tile_cells(
     id: Invocation,
     params: &TileCellsParams,
     tile: Read<i32>,
     tile_first: Read<u32>,
-    member: Read<u32>,
+    intersection: Read<u32>,
     splat: Read<Vec4>,
     cells: Write<u32>,
 ) {
     let index = id.index();
-    if index < params.members {
+    if index < params.intersections {
         let tile = Tile::read(tile, owner(tile_first, params.tiles, index));
-        let first = member.read(index) * VECTORS;
+        let first = intersection.read(index) * VECTORS;
         let placed = splat.read(first);
         let conic = splat.read(first + 1);
         let grid = Cells::new(params.side);

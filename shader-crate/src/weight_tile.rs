@@ -10,8 +10,8 @@
 use glam::Vec4;
 
 use crate::dense_backward::{
-    DenseWeightBackwardParams, FEW, Few, Outputs, SlicePart, add, add_few, add_sums, begin_sum,
-    begin_sums, few_of_row, least, total,
+    DenseWeightBackwardParams, Outputs, QUAD, QuadCursor, SlicePart, add, add_quad, add_sums,
+    begin_sum, begin_sums, min, quad_of_row, total,
 };
 use muslin::lane_vec4::LaneVec4;
 use muslin::prelude::*;
@@ -69,7 +69,7 @@ fn every_eighth(first: u32) -> [u32; 4] {
 /// Where the values of an input's weights begin. Inputs past the last repeat it.
 #[inline(always)]
 fn weights_of(params: &DenseWeightBackwardParams, input: u32) -> u32 {
-    4 * (params.weight + least(input, params.inputs - 1) * params.columns)
+    4 * (params.weight + min(input, params.inputs - 1) * params.columns)
 }
 
 /// Adds the sums of a workgroup's tile over a slice; leaves them in `carry` if the slice ends in another chunk.
@@ -184,31 +184,31 @@ fn sum_tile(
     // variables, for an aggregate of them would stay in memory
     let [mut sum0, mut sum1, mut sum2, mut sum3] = sums;
     let [mut sum4, mut sum5, mut sum6, mut sum7] = more;
-    let mut few = Few { at: begin / FEW, begin, end };
-    while FEW * few.at < end {
+    let mut cursor = QuadCursor { at: begin / QUAD, begin, end };
+    while QUAD * cursor.at < end {
         staged.wait(id);
-        stage(id, params, tile, rows, few, staged);
+        stage(id, params, tile, rows, cursor, staged);
         staged.wait(id);
-        let quads = least((end - 1) / FEW + 1 - few.at, QUADS);
+        let quads = min((end - 1) / QUAD + 1 - cursor.at, QUADS);
         let mut quad = 0;
         while quad < quads {
             let at = TILE_INPUTS * PITCH + across * PITCH + quad;
             let g = staged_columns(staged, at);
             let at = down * PITCH + quad;
-            sum0 = add_few(sum0, staged_row(staged, at), g);
-            sum1 = add_few(sum1, staged_row(staged, at + STEP), g);
-            sum2 = add_few(sum2, staged_row(staged, at + 2 * STEP), g);
-            sum3 = add_few(sum3, staged_row(staged, at + 3 * STEP), g);
-            sum4 = add_few(sum4, staged_row(staged, at + 4 * STEP), g);
-            sum5 = add_few(sum5, staged_row(staged, at + 5 * STEP), g);
-            sum6 = add_few(sum6, staged_row(staged, at + 6 * STEP), g);
-            sum7 = add_few(sum7, staged_row(staged, at + 7 * STEP), g);
+            sum0 = add_quad(sum0, staged_row(staged, at), g);
+            sum1 = add_quad(sum1, staged_row(staged, at + STEP), g);
+            sum2 = add_quad(sum2, staged_row(staged, at + 2 * STEP), g);
+            sum3 = add_quad(sum3, staged_row(staged, at + 3 * STEP), g);
+            sum4 = add_quad(sum4, staged_row(staged, at + 4 * STEP), g);
+            sum5 = add_quad(sum5, staged_row(staged, at + 5 * STEP), g);
+            sum6 = add_quad(sum6, staged_row(staged, at + 6 * STEP), g);
+            sum7 = add_quad(sum7, staged_row(staged, at + 7 * STEP), g);
             if has_bias {
                 biases = add(add(add(add(biases, g[0]), g[1]), g[2]), g[3]);
             }
             quad += 1;
         }
-        few.at += quads;
+        cursor.at += quads;
     }
     Sums { sums: [sum0, sum1, sum2, sum3], more: [sum4, sum5, sum6, sum7], biases }
 }
@@ -221,17 +221,17 @@ fn stage(
     params: &DenseWeightBackwardParams,
     tile: [u32; 2],
     [input, output_gradient]: [ReadFours<f32>; 2],
-    few: Few,
+    cursor: QuadCursor,
     staged: &mut impl SharedTile<Vec4, STAGED>,
 ) {
     let [row, quad] = [id.local.x / QUADS, id.local.x % QUADS];
     // behind the last vector, which nothing multiplies, it is read again
-    let few = Few { at: least(few.at + quad, (few.end - 1) / FEW), ..few };
-    let stride = params.stride / FEW;
+    let cursor = QuadCursor { at: min(cursor.at + quad, (cursor.end - 1) / QUAD), ..cursor };
+    let stride = params.stride / QUAD;
     let last = [params.inputs - 1, 4 * params.columns - 1];
-    let x = read_rows(input, tile[0] + row, last[0], stride, few);
-    let more = read_rows(input, tile[0] + 4 * SIDE + row, last[0], stride, few);
-    let g = read_rows(output_gradient, tile[1] + row, last[1], stride, few);
+    let x = read_rows(input, tile[0] + row, last[0], stride, cursor);
+    let more = read_rows(input, tile[0] + 4 * SIDE + row, last[0], stride, cursor);
+    let g = read_rows(output_gradient, tile[1] + row, last[1], stride, cursor);
     staged.begin_stores();
     let at = row * PITCH + quad;
     store_rows(staged, at, x);
@@ -246,14 +246,14 @@ fn read_rows(
     first: u32,
     last: u32,
     stride: u32,
-    few: Few,
-) -> [[f32; FEW as usize]; 4] {
+    cursor: QuadCursor,
+) -> [[f32; QUAD as usize]; 4] {
     let [row0, row1, row2, row3] = every_eighth(first);
     [
-        few_of_row::<f32, false>(rows, least(row0, last) * stride, few),
-        few_of_row::<f32, false>(rows, least(row1, last) * stride, few),
-        few_of_row::<f32, false>(rows, least(row2, last) * stride, few),
-        few_of_row::<f32, false>(rows, least(row3, last) * stride, few),
+        quad_of_row::<f32, false>(rows, min(row0, last) * stride, cursor),
+        quad_of_row::<f32, false>(rows, min(row1, last) * stride, cursor),
+        quad_of_row::<f32, false>(rows, min(row2, last) * stride, cursor),
+        quad_of_row::<f32, false>(rows, min(row3, last) * stride, cursor),
     ]
 }
 
@@ -262,7 +262,7 @@ fn read_rows(
 fn store_rows(
     staged: &mut impl SharedTile<Vec4, STAGED>,
     at: u32,
-    [row0, row1, row2, row3]: [[f32; FEW as usize]; 4],
+    [row0, row1, row2, row3]: [[f32; QUAD as usize]; 4],
 ) {
     staged.store(at, Vec4::from_array(row0));
     staged.store(at + STEP, Vec4::from_array(row1));
@@ -272,7 +272,7 @@ fn store_rows(
 
 /// Four samples of a row in workgroup memory.
 #[inline(always)]
-fn staged_row(staged: &impl SharedTile<Vec4, STAGED>, at: u32) -> [f32; FEW as usize] {
+fn staged_row(staged: &impl SharedTile<Vec4, STAGED>, at: u32) -> [f32; QUAD as usize] {
     staged.load(at).to_array()
 }
 
@@ -281,7 +281,7 @@ fn staged_row(staged: &impl SharedTile<Vec4, STAGED>, at: u32) -> [f32; FEW as u
 fn staged_columns(
     staged: &impl SharedTile<Vec4, STAGED>,
     at: u32,
-) -> [LaneVec4<f32>; FEW as usize] {
+) -> [LaneVec4<f32>; QUAD as usize] {
     let x = staged.load(at);
     let y = staged.load(at + STEP);
     let z = staged.load(at + 2 * STEP);

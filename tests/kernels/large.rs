@@ -5,17 +5,17 @@ use muslin_check::inputs::Random;
 use organza_parity::exact::composite::Splat;
 use organza_shaders::camera::Camera;
 use organza_shaders::composite::{CompositeKernel, CompositeParams};
-use organza_shaders::limits::MAX_MEMBERS;
+use organza_shaders::limits::MAX_INTERSECTIONS;
 use organza_shaders::project::{EVERYWHERE, ProjectKernel, ProjectParams};
 use organza_shaders::tile::Tile;
 use organza_tests::devices;
 
 #[test]
-fn a_tile_takes_more_members_than_one_dispatch() {
+fn a_tile_takes_more_intersections_than_one_dispatch() {
     const SIDE: u32 = 8;
-    let members = 2 * MAX_MEMBERS + 777;
+    let intersections = 2 * MAX_INTERSECTIONS + 777;
     let mut random = Random::new(1);
-    let splats: Vec<Vec4> = (0..members)
+    let splats: Vec<Vec4> = (0..intersections)
         .flat_map(|_| {
             let [x, y] = [0; 2].map(|_| random.between(-4.0, 12.0));
             let color = Vec4::from_slice(&random.values(4, 0.0, 1.0));
@@ -34,18 +34,20 @@ fn a_tile_takes_more_members_than_one_dispatch() {
         let tile = device
             .upload("tile", &Tile { camera: 0, origin: [0, 0], output: 0 }.pack())
             .expect("memory");
-        let tile_first = device.upload("first", &[0, members]).expect("memory");
-        let member = device.upload("member", &(0..members).collect::<Vec<_>>()).expect("memory");
-        let cells = device.upload("cells", &vec![u32::MAX; members as usize]).expect("memory");
+        let tile_first = device.upload("first", &[0, intersections]).expect("memory");
+        let intersection =
+            device.upload("intersection", &(0..intersections).collect::<Vec<_>>()).expect("memory");
+        let cells =
+            device.upload("cells", &vec![u32::MAX; intersections as usize]).expect("memory");
         let splat = device.upload("splat", &splats).expect("memory");
         let sum = device.zeros("sum", (4 * SIDE * SIDE) as usize).expect("memory");
-        for pass in 0..members.div_ceil(MAX_MEMBERS) {
-            let params = CompositeParams { side: SIDE, skip: pass * MAX_MEMBERS };
+        for pass in 0..intersections.div_ceil(MAX_INTERSECTIONS) {
+            let params = CompositeParams { side: SIDE, skip: pass * MAX_INTERSECTIONS };
             let kernel = CompositeKernel {
                 params,
                 tile: &tile,
                 tile_first: &tile_first,
-                member: &member,
+                intersection: &intersection,
                 cells: &cells,
                 splat: &splat,
                 sum: &sum,

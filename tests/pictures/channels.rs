@@ -17,7 +17,7 @@ use crate::snapshots::exact;
 const TOLERANCE: f64 = 2e-4;
 
 /// A Gaussian's contribution to each pixel of a camera.
-pub struct Member {
+pub struct VisibleSplat {
     pub gaussian: usize,
     pub splat: Splat<f64>,
     depth: f64,
@@ -25,18 +25,18 @@ pub struct Member {
     normal: [f64; 3],
 }
 
-impl Member {
+impl VisibleSplat {
     /// Whether it ends so close to a place that rounding decides whether it counts.
     pub fn is_at_its_end(&self, place: [f64; 2]) -> bool {
         (self.splat.q(place) - project::cutoff()).abs() < 1e-3
     }
 }
 
-pub fn members(case: &Case, camera: usize) -> Vec<Member> {
+pub fn visible_splats(case: &Case, camera: usize) -> Vec<VisibleSplat> {
     let scene = &case.scene;
     let view = exact::view(&case.cameras[camera]);
     let transmittance = case.expected(&format!("stage.{camera}.transmittance"));
-    let member = |index: usize| {
+    let visible = |index: usize| {
         let projected = exact::project(scene, &case.cameras[camera], index)?;
         let gaussian = exact::gaussian(scene, index);
         let transmittance = f64::from(transmittance[index]);
@@ -49,7 +49,7 @@ pub fn members(case: &Case, camera: usize) -> Vec<Member> {
             true => composite::compensation(conic, scene.config.blur),
             false => 1.0,
         };
-        Some(Member {
+        Some(VisibleSplat {
             gaussian: index,
             splat: Splat {
                 mean: projected.mean,
@@ -62,20 +62,20 @@ pub fn members(case: &Case, camera: usize) -> Vec<Member> {
             normal,
         })
     };
-    (0..scene.gaussians.len()).filter_map(member).collect()
+    (0..scene.gaussians.len()).filter_map(visible).collect()
 }
 
 /// The channels of a pixel: depth, alpha, visibility and the normal's components. `None` if a Gaussian ends so close
 /// that rounding decides whether it counts.
-fn pixel(members: &[Member], place: [f64; 2]) -> Option<[f64; 6]> {
+fn pixel(visible_splats: &[VisibleSplat], place: [f64; 2]) -> Option<[f64; 6]> {
     let mut sum = [0.0; 6];
-    for member in members {
-        if member.is_at_its_end(place) {
+    for visible in visible_splats {
+        if visible.is_at_its_end(place) {
             return None;
         }
-        let [.., alpha] = member.splat.term(place);
-        let [x, y, z] = member.normal;
-        let values = [member.depth, 1.0, member.transmittance, x, y, z];
+        let [.., alpha] = visible.splat.term(place);
+        let [x, y, z] = visible.normal;
+        let values = [visible.depth, 1.0, visible.transmittance, x, y, z];
         sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += alpha * value);
     }
     let [depth, alpha, visibility, x, y, z] = sum;
@@ -95,13 +95,13 @@ fn channels_match_the_equations() {
         .iter()
         .map(|case| {
             let cameras: Vec<_> =
-                (0..case.cameras.len()).map(|camera| members(case, camera)).collect();
+                (0..case.cameras.len()).map(|camera| visible_splats(case, camera)).collect();
             let side = case.tiles.side as usize;
             let pixels = case.tiles.tiles.iter().flat_map(|tile| {
-                let members = &cameras[tile.camera];
+                let visible_splats = &cameras[tile.camera];
                 let [left, top] = tile.origin.map(|origin| f64::from(origin) + 0.5);
                 (0..side * side).map(move |at| {
-                    pixel(members, [left + (at % side) as f64, top + (at / side) as f64])
+                    pixel(visible_splats, [left + (at % side) as f64, top + (at / side) as f64])
                 })
             });
             pixels.collect()
@@ -201,7 +201,7 @@ fn pixels_of_nearly_no_weight_are_empty_on_every_device() {
     for (index, opacity) in case.scene.gaussians.opacity.iter_mut().enumerate() {
         *opacity = [-92.0, -60.0][index % 2];
     }
-    let members = members(&case, 0);
+    let visible_splats = visible_splats(&case, 0);
     let Camera { width, height, .. } = case.cameras[0];
     let side = 16;
     let batch = TileBatch::cover(0, width, height, side).unwrap();
@@ -219,7 +219,7 @@ fn pixels_of_nearly_no_weight_are_empty_on_every_device() {
         {
             let [left, top] = batch.tiles[tile].origin.map(|origin| f64::from(origin) + 0.5);
             let place = [left + (at % 16) as f64, top + (at / 16) as f64];
-            let Some([depth, alpha, ..]) = pixel(&members, place) else { continue };
+            let Some([depth, alpha, ..]) = pixel(&visible_splats, place) else { continue };
             let found = |channel: Channel, plane: usize| {
                 tiles.channels[&channel][(tile * channel.planes() + plane) * area + at]
             };
@@ -246,22 +246,23 @@ fn pixels_of_nearly_no_weight_are_empty_on_every_device() {
 
 // Contributions of Gaussians to whole views: compared with the equations in f64, and with a scene whose weights are known.
 
-/// The sum of `alpha / max(S, 1)` over a camera's pixels, for each member; and how far it may be off, because of pixels at
-/// which rounding decides whether the member counts.
-fn by_equations(members: &[Member], camera: &Camera) -> Vec<[f64; 2]> {
-    let mut sums = vec![[0.0; 2]; members.len()];
+/// The sum of `alpha / max(S, 1)` over a camera's pixels, for each splat; and how far it may be off, because of pixels at
+/// which rounding decides whether the splat counts.
+fn by_equations(visible_splats: &[VisibleSplat], camera: &Camera) -> Vec<[f64; 2]> {
+    let mut sums = vec![[0.0; 2]; visible_splats.len()];
     for at in 0..camera.width * camera.height {
         let place = [at % camera.width, at / camera.width].map(|x| f64::from(x) + 0.5);
-        let alphas: Vec<_> = members.iter().map(|member| member.splat.term(place)[3]).collect();
-        let most = alphas.iter().sum::<f64>().max(1.0);
-        let is_near = |member: &Member| member.is_at_its_end(place);
-        let unsure = members.iter().filter(|member| is_near(member));
-        let unsure: f64 = unsure.map(|member| member.splat.weight / 255.0).sum();
-        for ((sum, member), alpha) in sums.iter_mut().zip(members).zip(alphas) {
-            sum[0] += alpha / most;
-            // another member that counts or not changes S
-            sum[1] += alpha / most * unsure;
-            sum[1] += if is_near(member) { member.splat.weight / 255.0 } else { 0.0 };
+        let alphas: Vec<_> =
+            visible_splats.iter().map(|visible| visible.splat.term(place)[3]).collect();
+        let max = alphas.iter().sum::<f64>().max(1.0);
+        let is_near = |visible: &VisibleSplat| visible.is_at_its_end(place);
+        let unsure = visible_splats.iter().filter(|visible| is_near(visible));
+        let unsure: f64 = unsure.map(|visible| visible.splat.weight / 255.0).sum();
+        for ((sum, visible), alpha) in sums.iter_mut().zip(visible_splats).zip(alphas) {
+            sum[0] += alpha / max;
+            // another splat that counts or not changes S
+            sum[1] += alpha / max * unsure;
+            sum[1] += if is_near(visible) { visible.splat.weight / 255.0 } else { 0.0 };
         }
     }
     sums
@@ -269,10 +270,12 @@ fn by_equations(members: &[Member], camera: &Camera) -> Vec<[f64; 2]> {
 
 /// A Gaussian's contribution to a camera's pixels, and how far it may be off: see [`by_equations`].
 fn expected(case: &Case, camera: usize) -> Vec<[f64; 2]> {
-    let members = members(case, camera);
+    let visible_splats = visible_splats(case, camera);
     let mut expected = vec![[0.0; 2]; case.scene.gaussians.len()];
-    for (member, sum) in members.iter().zip(by_equations(&members, &case.cameras[camera])) {
-        expected[member.gaussian] = sum;
+    for (visible, sum) in
+        visible_splats.iter().zip(by_equations(&visible_splats, &case.cameras[camera]))
+    {
+        expected[visible.gaussian] = sum;
     }
     expected
 }

@@ -36,7 +36,7 @@ fn scans_of_many_blocks_repeat_one_block() {
 }
 
 #[test]
-fn members_of_many_blocks_repeat_one_block() {
+fn intersections_of_many_blocks_repeat_one_block() {
     let times = 50;
     let (case, scene) = repeated(times);
     for (backend, device) in devices::all() {
@@ -49,8 +49,8 @@ fn members_of_many_blocks_repeat_one_block() {
         let many = report(&scene);
         let times = times as u64;
         assert_eq!(
-            [many.pairs, many.members, many.samples],
-            [one.pairs, one.members, one.samples].map(|count| count * times),
+            [many.pairs, many.intersections, many.samples],
+            [one.pairs, one.intersections, one.samples].map(|count| count * times),
             "on {backend}"
         );
     }
@@ -75,32 +75,32 @@ fn only_degenerate_gaussians_are_counted() {
         cameras.sort_unstable();
         cameras.dedup();
         let found = degenerate(&scene);
-        let most = 2 * cameras.len() as u64;
-        assert!(found > 0 && found <= most, "{found} of at most {most} on {backend}");
+        let max = 2 * cameras.len() as u64;
+        assert!(found > 0 && found <= max, "{found} of at most {max} on {backend}");
     }
 }
 
 /// A single tile has a small window. Many tiles have a window that leaves out almost nothing.
 #[test]
-fn members_do_not_depend_on_the_window() {
+fn intersections_do_not_depend_on_the_window() {
     let case = Case::load(&cases::folder().join("basic"));
     let corner = |at: i32| [8 * (at % 8) - 8, 8 * (at / 8) - 8];
     let tiles: Vec<_> = (0..64).map(|at| Tile { camera: 0, origin: corner(at) }).collect();
     for (backend, device) in devices::all() {
         let renderer = Renderer::new(device);
         let scene = renderer.upload(&case.scene).expect("the scene fits");
-        let members = |tiles: &[Tile]| {
+        let intersections = |tiles: &[Tile]| {
             let batch = TileBatch { side: 8, tiles: tiles.to_vec() };
-            renderer.render(&scene, &case.cameras, &batch).expect("it renders").report.members
+            renderer.render(&scene, &case.cameras, &batch).expect("it renders").report.intersections
         };
-        let together = members(&tiles);
-        let alone: u64 = tiles.iter().map(|&tile| members(&[tile])).sum();
+        let together = intersections(&tiles);
+        let alone: u64 = tiles.iter().map(|&tile| intersections(&[tile])).sum();
         assert!(together > 0 && together == alone, "{together}, {alone} on {backend}");
     }
 }
 
 #[test]
-fn a_gaussian_that_touches_a_tile_is_a_member() {
+fn a_gaussian_that_touches_a_tile_intersects_it() {
     for step in 1..200 {
         let radius = step as f32 * 0.25;
         for center in [

@@ -201,8 +201,8 @@ fn images_at_the_ends_of_numbers_agree() {
             let is_blank = found.iter().enumerate().all(is_background);
             assert_eq!(is_blank, extreme.camera.fl_x == 1e30, "{name} on {device}");
             let first = first.get_or_insert_with(|| found.clone());
-            let most = first.iter().zip(&found).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-            assert!(most <= TOLERANCE, "{name} on {device}: off by {most}");
+            let largest = first.iter().zip(&found).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            assert!(largest <= TOLERANCE, "{name} on {device}: off by {largest}");
         }
     }
 }
@@ -251,13 +251,13 @@ fn colors_that_are_nan_fill_their_supports() {
     }
 }
 
-/// The gradient of one member in one tile, for `gradient [4, S, S]`.
+/// The gradient of one intersection in one tile, for `gradient [4, S, S]`.
 fn composite_backward(device: &Device, splat: [Vec4; 3], side: u32, gradient: &[f32]) -> Vec<Vec4> {
     let tile = Tile { camera: 0, origin: [0, 0], output: 0 };
-    let member_gradient = device.zeros("member gradient", 3).expect("memory");
+    let intersection_gradient = device.zeros("intersection gradient", 3).expect("memory");
     let kernel = CompositeBackwardKernel {
         params: CompositeBackwardParams {
-            members: 1,
+            intersections: 1,
             tiles: 1,
             side,
             first_row: 0,
@@ -267,13 +267,13 @@ fn composite_backward(device: &Device, splat: [Vec4; 3], side: u32, gradient: &[
         },
         tile: &device.upload("tile", &tile.pack()).expect("memory"),
         tile_first: &device.upload("first", &[0, 1]).expect("memory"),
-        member: &device.upload("member", &[0]).expect("memory"),
+        intersection: &device.upload("intersection", &[0]).expect("memory"),
         splat: &device.upload("splat", &splat).expect("memory"),
         sum_gradient: &device.upload("gradient", gradient).expect("memory"),
-        member_gradient: &member_gradient,
+        intersection_gradient: &intersection_gradient,
     };
     device.run(&kernel, 1, 1).expect("it runs");
-    device.read(&member_gradient).expect("it ran")
+    device.read(&intersection_gradient).expect("it ran")
 }
 
 #[test]

@@ -130,7 +130,7 @@ fn values_of_the_last_images_stay_close() {
     let cameras = &demo::turntable(200, 128)[..6];
     // The second has time for a quarter of the Gaussians and no more; the old values must not be in one place. The third has
     // time for few of them, but an image may come late.
-    for (least, most, worst) in [(2, 2, 10.0), (4, 4, 15.0), (16, 1, 10.0)] {
+    for (min, max, worst) in [(2, 2, 10.0), (4, 4, 15.0), (16, 1, 10.0)] {
         let mut cache = EyeCache::default();
         let mut render = |camera: &Camera, renewed| {
             let options = EyeOptions { channels: &[], steps: 2, renewed, ..EXACT };
@@ -138,7 +138,7 @@ fn values_of_the_last_images_stay_close() {
             let tiles = renderer.render_from_eye(&scene, camera, &batch, &mut cache, &options);
             tiles.expect("an image").expect("it was not cancelled")
         };
-        let renewed = Some([least, most].map(|part| scene.len() / part));
+        let renewed = Some([min, max].map(|part| scene.len() / part));
         let all = render(&cameras[0], None).report.samples;
         for camera in &cameras[1..5] {
             assert!(render(camera, renewed).report.samples < 2 * all / 3);
@@ -147,7 +147,7 @@ fn values_of_the_last_images_stay_close() {
         let moving = render(last, renewed);
         let expected = render_anew(&renderer, &scene, last, &EyeOptions { channels: &[], ..EXACT });
         let apart = levels_apart(&moving, &expected);
-        assert!(apart < worst, "1/{least} to 1/{most}: {apart} levels");
+        assert!(apart < worst, "1/{min} to 1/{max}: {apart} levels");
         let rested = render(last, None);
         let options = EyeOptions { channels: &[], steps: 2, ..EXACT };
         let expected = render_anew(&renderer, &scene, last, &options);
@@ -198,21 +198,21 @@ fn another_background_is_where_weights_leave_room() {
 }
 
 #[test]
-fn members_of_pixels_are_those_that_explain_lists() {
+fn a_pixels_gaussians_are_those_that_explain_lists() {
     cases::on_every_device(|device, renderer, case, scene| {
         for (index, camera) in case.cameras.iter().enumerate() {
-            let count = renderer.count_members(scene, camera).expect("a count");
+            let count = renderer.count_gaussians(scene, camera).expect("a count");
             let width = camera.width as usize;
             let height = camera.height as usize;
             assert_eq!(count.len(), width * height);
-            let most = (0..count.len()).max_by_key(|&at| count[at]).expect("pixels");
-            assert!(count[most] > 0, "{device}, {}", case.name);
-            for at in (0..count.len()).step_by(count.len() / 9 + 1).chain([most]) {
+            let max = (0..count.len()).max_by_key(|&at| count[at]).expect("pixels");
+            assert!(count[max] > 0, "{device}, {}", case.name);
+            for at in (0..count.len()).step_by(count.len() / 9 + 1).chain([max]) {
                 let pixel = [(at % width) as i32, (at / width) as i32];
                 let found = renderer.inspect(scene, &case.cameras, index, pixel).expect("a pixel");
-                let members = found.contributions.iter().filter(|one| one.falloff > 0.0).count();
+                let gaussians = found.contributions.iter().filter(|one| one.falloff > 0.0).count();
                 let what = format!("{device}, {}: pixel {pixel:?} of {index}", case.name);
-                assert_eq!(count[at] as usize, members, "{what}");
+                assert_eq!(count[at] as usize, gaussians, "{what}");
             }
         }
     });

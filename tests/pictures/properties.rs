@@ -1,4 +1,4 @@
-//! Properties for all inputs: the clip, tile membership, the composite.
+//! Properties for all inputs: the clip, tile intersection, the composite.
 
 use glam::{Vec2, Vec3, Vec4};
 use muslin_device::Buffer;
@@ -96,7 +96,7 @@ proptest! {
     }
 
     #[test]
-    fn members_are_all_whose_falloff_reaches_a_pixel(
+    fn intersections_are_all_whose_falloff_reaches_a_pixel(
         position in vector(-1.5f32..1.5), rotation in [-1.0f32..1.0, -1.0f32..1.0, -1.0f32..1.0, 0.1f32..1.0],
         log_scale in vector(-7.0f32..0.5), origin in [-40i32..100, -40i32..100], side in 1u32..24,
     ) {
@@ -107,11 +107,11 @@ proptest! {
         let projection = project_gaussian(&camera, 0.3, position, Vec4::from_array(rotation), log_scale);
         prop_assert!(projection.radius > 0.0);
         let low = Vec2::new(origin[0] as f32, origin[1] as f32);
-        let is_member = reaches(projection.mean2d, projection.radius, low, side as f32);
-        // within Eq. 15's own radius it is a member; beyond the margin it is none
+        let intersects = reaches(projection.mean2d, projection.radius, low, side as f32);
+        // within Eq. 15's own radius it intersects the tile; beyond the margin it does not
         let distance = distance_squared(projection.mean2d, low, side as f32).sqrt();
-        prop_assert!(is_member || distance > projection.radius);
-        prop_assert!(!is_member || distance <= projection.radius * 1.0011 + 0.011);
+        prop_assert!(intersects || distance > projection.radius);
+        prop_assert!(!intersects || distance <= projection.radius * 1.0011 + 0.011);
         for row in 0..side {
             for column in 0..side {
                 let pixel = low + Vec2::new(column as f32 + 0.5, row as f32 + 0.5);
@@ -119,7 +119,7 @@ proptest! {
                 let weight = falloff(mahalanobis(projection.conic, d.x, d.y));
                 let inside = d.x.abs() <= projection.extent.x && d.y.abs() <= projection.extent.y;
                 prop_assert!(inside || weight == 0.0, "{weight} at {pixel}, outside of its extent");
-                prop_assert!(is_member || weight == 0.0, "{weight} at {pixel} of a tile it is no member of");
+                prop_assert!(intersects || weight == 0.0, "{weight} at {pixel} of a tile that it does not intersect");
             }
         }
     }
@@ -158,7 +158,7 @@ fn composite(
         params: CompositeParams { side: SIDE, skip: 0 },
         tile: &tile,
         tile_first: &upload("first", &[0, order.len() as u32]),
-        member: &upload("member", order),
+        intersection: &upload("intersection", order),
         cells: &upload("cells", &vec![u32::MAX; order.len()]),
         splat: &device.upload("splat", splats.as_flattened()).expect("memory"),
         sum: &sum,
@@ -226,7 +226,7 @@ fn composites_are_weighted_means() {
                 );
                 prop_assert!(
                     (*pixel - other[index]).abs().max_element() <= 1e-5,
-                    "the order of the members shows"
+                    "the order of the intersections shows"
                 );
                 divided.set(divided.get() + u32::from(sum.w > 1.0));
             }

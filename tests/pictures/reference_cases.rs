@@ -93,9 +93,8 @@ const GRADIENT: f64 = 1e-3;
 fn gradients_match_the_reference() {
     cases::on_every_device(|backend, renderer, case, scene| {
         let grad_tiles = case.expected("grad_tiles");
-        let recording = renderer.record(scene, &case.cameras, &case.tiles).expect("it renders");
-        let (gradient, poses) =
-            recording.backward_with_poses(grad_tiles).expect("there is a gradient");
+        let tape = renderer.record(scene, &case.cameras, &case.tiles).expect("it renders");
+        let (gradient, poses) = tape.backward_with_poses(grad_tiles).expect("there is a gradient");
         let name = "grad.poses";
         let expected = case.expected("grad.poses");
         let relative = difference(poses.as_flattened(), expected).relative;

@@ -79,7 +79,7 @@ fn a_batch_in_parts_is_the_batch() {
         let whole = renderer.render(scene, &case.cameras, &case.tiles).expect("it renders");
         let parts = in_parts.render(scene, &case.cameras, &case.tiles).expect("it renders");
         assert_eq!((whole.report.parts, parts.report.parts), (1, case.tiles.tiles.len()));
-        assert_eq!(whole.report.members, parts.report.members);
+        assert_eq!(whole.report.intersections, parts.report.intersections);
         assert!(whole.data == parts.data, "{}: the parts show on {backend}", case.name);
     });
 }

@@ -46,7 +46,7 @@ fn jump(frames: &[Pixels]) -> f32 {
         let [before, now, after] = [0, 1, 2].map(|frame| three[frame].as_flattened());
         before.iter().zip(now).zip(after).map(|((before, now), after)| before - 2.0 * now + after)
     });
-    255.0 * of_three.fold(0.0, |most: f32, value| most.max(value.abs()))
+    255.0 * of_three.fold(0.0, |largest: f32, value| largest.max(value.abs()))
 }
 
 /// The same Gaussians, for a renderer that sorts. All cameras see the colors of the first one.

@@ -93,9 +93,12 @@ fn a_batch_is_measured() {
     // the counts equal `organza tiles`'s
     let words = "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --verbose";
     let said = sandbox.run(words).assert_ok().stderr.replace(',', "");
-    for (key, thing) in
-        [("tiles", "tiles of"), ("pairs", "pairs"), ("members", "members"), ("samples", "samples")]
-    {
+    for (key, thing) in [
+        ("tiles", "tiles of"),
+        ("pairs", "pairs"),
+        ("members", "intersections"),
+        ("samples", "samples"),
+    ] {
         let number = found[key].as_u64().unwrap();
         assert!(number > 1 && said.contains(&format!(" {number} {thing}")), "{key}: {said}");
     }

@@ -291,17 +291,17 @@ fn write_known(sandbox: &Sandbox, [ffmpeg, frames, colmap, extractor, matcher]: 
 }
 
 /// An image with a pose, as COLMAP finds it.
-struct Found {
+struct PosedImage {
     name: String,
     eye: DVec3,
     focal: f64,
 }
 
 /// A walk around something in steps of 30 degrees.
-fn walk(names: impl Iterator<Item = String>) -> Vec<Found> {
+fn walk(names: impl Iterator<Item = String>) -> Vec<PosedImage> {
     let found = |(step, name): (usize, String)| {
         let (y, x) = (30.0 * step as f64).to_radians().sin_cos();
-        Found { name, eye: DVec3::new(4.0 * x, 4.0 * y, 1.0), focal: 500.0 }
+        PosedImage { name, eye: DVec3::new(4.0 * x, 4.0 * y, 1.0), focal: 500.0 }
     };
     names.enumerate().map(found).collect()
 }
@@ -311,11 +311,11 @@ fn photos(count: usize) -> impl Iterator<Item = String> {
 }
 
 /// Writes a model of 400 points, each with an error, in pixels, and in a number of images.
-fn write_model(sandbox: &Sandbox, folder: &str, found: &[Found], error: f64, track: usize) {
+fn write_model(sandbox: &Sandbox, folder: &str, found: &[PosedImage], error: f64, track: usize) {
     let folder = sandbox.path(folder);
     fs::create_dir_all(&folder).unwrap();
     let [mut cameras, mut images, mut points] = [const { String::new() }; 3];
-    for (id, Found { name, eye, focal }) in found.iter().enumerate() {
+    for (id, PosedImage { name, eye, focal }) in found.iter().enumerate() {
         writeln!(cameras, "{id} SIMPLE_RADIAL 640 480 {focal} 320 240 0.01").unwrap();
         writeln!(images, "{id} 1 0 0 0 {} {} {} {id} {name}\n", -eye.x, -eye.y, -eye.z).unwrap();
     }
@@ -651,7 +651,8 @@ fn panoramas_become_views_of_a_known_lens() {
     let sides = |name: String| {
         ["000", "045", "180", "225"].map(|view| name.replace("png", &format!("{view}.png")))
     };
-    let views = |Found { name, eye, focal }| sides(name).map(|name| Found { name, eye, focal });
+    let views =
+        |PosedImage { name, eye, focal }| sides(name).map(|name| PosedImage { name, eye, focal });
     let found: Vec<_> = walk(photos(9)).into_iter().flat_map(views).collect();
     write_model(&sandbox, "found-1/0", &found, 0.7, 20);
     let outcome = capture(&sandbox, "photos -o data").assert_ok();
@@ -814,7 +815,7 @@ fn numbers_in_names_are_in_their_natural_order() {
     let outcome = capture(&sandbox, "walk -o data").assert_ok();
     assert_says(&outcome, &["24 of 24"], &["jumps", "zeros"]);
     // COLMAP looks for neighbors in the order of letters.
-    for Found { name, .. } in &mut found {
+    for PosedImage { name, .. } in &mut found {
         *name = name.replace("(", if name.len() == 13 { "(0" } else { "(" });
     }
     write_model(&sandbox, "found-2/0", &found, 0.7, 20);

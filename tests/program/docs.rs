@@ -58,7 +58,7 @@ case "$1" in
         s/--time-limit [0-9]*/--time-limit 1/")
     if ! has --resume && ! has --print-config; then
       for setting in run.steps=2 run.tiles_per_step=2 run.tile_size=16 run.tiles_per_view=1 \
-          data.built_in_views=2 data.built_in_side=16 start.gaussians=100 growth.max_gaussians=200; do
+          data.built_in_views=2 data.built_in_side=16 start.gaussians=100 densification.max_gaussians=200; do
         set -- "$@" --set "$setting"
       done
       # the built-in scene takes longer than the run

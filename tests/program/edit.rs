@@ -68,7 +68,7 @@ fn only_gaussians_in_no_view_are_removed() {
         0 => scene.gaussians.position[i] = [0.0, 0.0, 900.0],
         _ => scene.gaussians.opacity[i] = -200.0,
     });
-    let words = "planted.safetensors cameras.json --least-contribution";
+    let words = "planted.safetensors cameras.json --min-contribution";
     let (report, edited) = edit(&sandbox, words);
     assert_eq!(report["removed"][0]["rule"], "in no view");
     assert!(report["removed"][0]["gaussians"].as_u64() >= Some(9), "{report}");
@@ -135,7 +135,7 @@ fn haze_before_a_camera_goes() {
 fn a_run_is_edited_and_every_command_takes_the_result() {
     let sandbox = runs::sandbox();
     sandbox.run(&format!("{TINY} run --hold-out-every 3")).assert_ok();
-    let words = "run --least-contribution --haze --keep-largest";
+    let words = "run --min-contribution --haze --keep-largest";
     let (report, _) = edit(&sandbox, words);
     crate::flags::assert_documented("edit", std::slice::from_ref(&report));
     let eval = |scene: &str| -> f64 {
@@ -172,8 +172,8 @@ fn bad_options_are_refused() {
         ("--sphere 0,0,0,-1", &["--sphere", "radius"]),
         ("--keep-largest=0", &["--keep-largest", "0.001"]),
         ("--haze=0", &["--haze", "1 or more"]),
-        ("--least-contribution=-1", &["--least-contribution", "0 or more"]),
-        ("--least-contribution", &["scene.safetensors", "name the data set"]),
+        ("--min-contribution=-1", &["--min-contribution", "0 or more"]),
+        ("--min-contribution", &["scene.safetensors", "name the data set"]),
         ("--sphere 900,0,0,1", &["nothing would be left", "outside the ball", "1 Gaussian"]),
     ] {
         let words = format!("edit scene.safetensors {words} -o new.safetensors");

@@ -37,7 +37,7 @@ fn every_kernel_is_listed() {
     assert_eq!(scan["shared_bytes"], 256);
     let composite = |name| listed.iter().find(|listed| listed["name"] == name).unwrap();
     assert_eq!(composite("composite")["shared_bytes"], 0);
-    // 64 members, each with a word of cells and three vectors
+    // 64 intersections, each with a word of cells and three vectors
     assert_eq!(composite("composite_shared")["shared_bytes"], 64 * (4 + 3 * 16));
 }
 

@@ -71,7 +71,8 @@ fn a_scene_goes_out_and_comes_back() {
     let outcome = sandbox.run(words).assert_ok();
     assert!(outcome.stderr.contains("of the pixels"), "{outcome:?}");
     // and as the start of a training
-    let words = "train views -o run --start thin.ply --steps 1 --set growth.end=0 --backend cpu";
+    let words =
+        "train views -o run --start thin.ply --steps 1 --set densification.end=0 --backend cpu";
     sandbox.run(words).assert_ok();
     let run = Scene::load(sandbox.path("run/checkpoint.safetensors")).expect("a scene");
     assert_eq!(run.gaussians.len(), back.gaussians.len());
@@ -213,7 +214,7 @@ fn splat_transform(sandbox: &Sandbox, from: &str, to: &str) {
 /// Compares Gaussians in the same order, with largest errors: of positions, of logarithms of scales, of opacities, of the first
 /// harmonic, of the others, and of rotations, in radians.
 #[track_caller]
-fn assert_close(found: &[Splat], expected: &[Splat], most: [f32; 6], what: &str) {
+fn assert_close(found: &[Splat], expected: &[Splat], max: [f32; 6], what: &str) {
     assert_eq!(found.len(), expected.len(), "{what}");
     let apart =
         |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
@@ -232,10 +233,10 @@ fn assert_close(found: &[Splat], expected: &[Splat], most: [f32; 6], what: &str)
             apart(a.color[1..].as_flattened(), b.color[1..].as_flattened()),
             2.0 * (2.0 * (1.0 - cosine).max(0.0)).sqrt(),
         ];
-        largest.iter_mut().zip(errors).for_each(|(most, error)| *most = most.max(error));
+        largest.iter_mut().zip(errors).for_each(|(largest, error)| *largest = largest.max(error));
     }
     println!("{what}: {largest:?}");
-    assert!(largest.iter().zip(most).all(|(found, most)| *found <= most), "{what}: {largest:?}");
+    assert!(largest.iter().zip(max).all(|(found, max)| *found <= max), "{what}: {largest:?}");
 }
 
 /// Both programs decode a file alike, and to the Gaussians that were written, up to the rounding of the format.

@@ -66,8 +66,9 @@ pub struct RenderReport {
     pub parts: usize,
     /// (Gaussian, camera) pairs with an evaluated color and transmittance.
     pub pairs: u64,
-    /// (Gaussian, tile) memberships.
-    pub members: u64,
+    /// Tile intersections.
+    #[serde(rename = "members")]
+    pub intersections: u64,
     /// Samples of the transmittance network.
     pub samples: u64,
     /// (Gaussian, camera) pairs that were culled because they cannot be projected.
@@ -109,7 +110,7 @@ impl RenderReport {
     pub fn add(&mut self, part: &Self) {
         self.parts += part.parts;
         self.pairs += part.pairs;
-        self.members += part.members;
+        self.intersections += part.intersections;
         self.samples += part.samples;
         self.degenerate += part.degenerate;
     }

@@ -183,13 +183,13 @@ fn check_side(side: u32, origin: &Path) -> Result<()> {
 }
 
 /// Largest number of tiles in one batch, for a side that is not 0.
-pub fn most_tiles(side: u32) -> u64 {
+pub fn max_tiles(side: u32) -> u64 {
     (MAX_OUTPUT_VALUES - 1) / (CHANNELS * u64::from(side) * u64::from(side))
 }
 
 fn check_output(tiles: u64, side: u32, origin: &Path) -> Result<()> {
-    let most = most_tiles(side);
-    if tiles <= most {
+    let max = max_tiles(side);
+    if tiles <= max {
         return Ok(());
     }
     let per_tile = CHANNELS * u64::from(side) * u64::from(side);
@@ -197,7 +197,7 @@ fn check_output(tiles: u64, side: u32, origin: &Path) -> Result<()> {
     let limit = format_bytes(4 * MAX_OUTPUT_VALUES);
     let reason = format!(
         "{tiles} tiles of side {side} make an output of {bytes}; it must be less than {limit}: \
-         render at most {most} such tiles at once"
+         render at most {max} such tiles at once"
     );
     Err(Error::Invalid { origin: origin.to_owned(), reason })
 }

@@ -16,13 +16,13 @@ pub(super) const MASKS: &str = "masks";
 /// Most tails of a photograph's path that are tried: a path may have any length.
 const DEEPEST: usize = 32;
 /// Most files that are named as not used.
-const MOST_NAMED: usize = 3;
+const MAX_NAMED: usize = 3;
 /// Extensions that a name may lack.
 const EXTENSIONS: [&str; 6] = ["", ".png", ".jpg", ".jpeg", ".JPG", ".JPEG"];
 
 /// A photograph's file, and how to read it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Found {
+pub(super) struct PhotographFile {
     /// The photograph's file.
     pub path: PathBuf,
     /// Whether the file is in `images_N`, and so smaller already.
@@ -40,7 +40,7 @@ pub(super) fn photograph(
     name: &str,
     mask: Option<&str>,
     downscale: u32,
-) -> Result<Found, PathBuf> {
+) -> Result<PhotographFile, PathBuf> {
     // Files written on Windows have backslashes.
     let names = [name.to_owned(), name.replace('\\', "/")];
     let paths = || names.iter().flat_map(|name| tails(Path::new(name)));
@@ -56,14 +56,14 @@ pub(super) fn photograph(
             let whole_mask = whole.and_then(|whole| mask_of(folder, &whole, None, IMAGES, MASKS));
             // Without a mask, the smaller photograph would show what the mask hides.
             if found.is_some() || (mask.is_none() && whole_mask.is_none()) {
-                return Ok(Found { path: folder.join(path), prepared: true, mask: found });
+                return Ok(PhotographFile { path: folder.join(path), prepared: true, mask: found });
             }
         }
     }
     match paths().find_map(|path| with_extension(folder, &path)) {
         Some(path) => {
             let mask = mask_of(folder, &path, mask, IMAGES, MASKS);
-            Ok(Found { path: folder.join(path), prepared: false, mask })
+            Ok(PhotographFile { path: folder.join(path), prepared: false, mask })
         }
         None => Err(folder.join(name)),
     }
@@ -91,7 +91,7 @@ pub(super) fn unused_clouds(folder: &Path, reason: &str) -> Vec<String> {
     let say = |file: &PathBuf| {
         format!("{} is not used as points to start from: {reason}", file.display())
     };
-    files.iter().take(MOST_NAMED).map(say).collect()
+    files.iter().take(MAX_NAMED).map(say).collect()
 }
 
 /// A path and its tails, the longest first: some programs write paths that start in a folder above the data set. A

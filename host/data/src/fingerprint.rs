@@ -66,7 +66,9 @@ impl Fingerprint {
             }
             hash.update([lens.fisheye, held_out].map(u8::from));
             if let Some(cut) = lens.cut {
-                hash.update(format!("{cut:?} {}", lens.panorama));
+                // the name that earlier runs knew, or their data would seem to have changed
+                let cut = format!("{cut:?}").replacen("Reprojection", "Cut", 1);
+                hash.update(format!("{cut} {}", lens.panorama));
             }
         }
         let frames = digits(hash, 32);

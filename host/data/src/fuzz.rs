@@ -4,7 +4,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 use super::decode::Budget;
-use super::find::{Access, Found};
+use super::find::{Access, PhotographFile};
 use super::transforms::{Photographs, add_frames};
 use super::{DatasetKind, DatasetOptions, Listing, colmap, decode, ply};
 use organza_core::input::parse_json;
@@ -23,7 +23,7 @@ pub fn transforms(bytes: &[u8]) {
     let Ok(file) = parse_json(bytes, origin()) else { return };
     let photographs = Photographs {
         find: |folder, name, _, _| {
-            Ok(Found { path: folder.join(name), prepared: false, mask: None })
+            Ok(PhotographFile { path: folder.join(name), prepared: false, mask: None })
         },
         size: |_| Ok([64, 48]),
     };

@@ -10,7 +10,7 @@ use organza_core::camera::median;
 /// Levels that are neither black nor saturated.
 const SEEN: RangeInclusive<u8> = 8..=247;
 /// Fewer points say nothing about a photograph.
-const LEAST: usize = 50;
+const MIN_RATIOS: usize = 50;
 /// Largest distance of a pixel's logarithm from the median. Beyond it, something else is in front of the point.
 const OTHER: f64 = 0.4;
 /// Number of times that such pixels are left out, and the median is taken again.
@@ -64,5 +64,5 @@ fn log_gains(frame: &Frame, points: &[Point]) -> Option<[f64; 3]> {
 /// The median of each channel; `None` for too few values.
 fn medians(ratios: &[[f64; 3]]) -> Option<[f64; 3]> {
     let of_channel = |channel: usize| median(ratios.iter().map(|ratio| ratio[channel]));
-    (ratios.len() >= LEAST).then(|| [0, 1, 2].map(of_channel))
+    (ratios.len() >= MIN_RATIOS).then(|| [0, 1, 2].map(of_channel))
 }

@@ -24,12 +24,12 @@ pub(super) struct Lens {
     /// p1 and p2, the tangential coefficients.
     pub tangential: [f64; 2],
     /// The photograph that the camera's image is cut from; `None` if the image is the whole photograph.
-    pub cut: Option<Cut>,
+    pub cut: Option<Reprojection>,
 }
 
 /// How a pinhole view is cut from a photograph with too wide a view for one plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Cut {
+pub(super) struct Reprojection {
     /// The view's axes in the photograph's camera space: right, down and forward.
     pub axes: [DVec3; 3],
     /// Focal lengths of the photograph in pixels; pixels in a radian for a panorama.
@@ -40,7 +40,7 @@ pub(super) struct Cut {
     pub size: [u32; 2],
 }
 
-impl Cut {
+impl Reprojection {
     /// The whole photograph of a camera.
     pub fn whole(camera: &Camera) -> Self {
         Self {
@@ -119,13 +119,13 @@ fn polynomial([k1, k2, k3, k4]: [f64; 4], x: f64) -> f64 {
 pub(super) struct Undistortion<'a> {
     camera: &'a Camera,
     lens: &'a Lens,
-    cut: Cut,
+    cut: Reprojection,
     fold: f64,
 }
 
 impl<'a> Undistortion<'a> {
     pub fn new(camera: &'a Camera, lens: &'a Lens) -> Self {
-        let cut = lens.cut.unwrap_or(Cut::whole(camera));
+        let cut = lens.cut.unwrap_or(Reprojection::whole(camera));
         let mut undistortion = Self { camera, lens, cut, fold: f64::INFINITY };
         let [width, height] = [camera.width, camera.height].map(f64::from);
         let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]];
@@ -145,7 +145,7 @@ impl<'a> Undistortion<'a> {
     pub fn source(&self, place: [f64; 2]) -> Option<[f64; 2]> {
         let direction = self.direction(place);
         let is_folded = !self.lens.panorama && self.lens.extent(direction) > self.fold;
-        let Cut { focal, center, size, .. } = self.cut;
+        let Reprojection { focal, center, size, .. } = self.cut;
         let place = self.lens.project(direction);
         let source = [0, 1].map(|axis| focal[axis] * place[axis] + center[axis]);
         let is_inside = |axis: usize| (0.0..=f64::from(size[axis])).contains(&source[axis]);

@@ -32,7 +32,7 @@ pub use colmap::SparseModel;
 pub use decode::{size as photograph_size, upright};
 use develop::Shot;
 pub use develop::mean;
-use find::{Access, Found, invalid};
+use find::{Access, PhotographFile, invalid};
 use fingerprint::Digest;
 pub use fingerprint::Fingerprint;
 pub use keep::Keep;
@@ -127,7 +127,7 @@ impl Listing {
     /// photograph, and has its name.
     fn add(
         &mut self,
-        Found { path, prepared, mask }: Found,
+        PhotographFile { path, prepared, mask }: PhotographFile,
         camera: Camera,
         lens: Lens,
         held_out: bool,

@@ -15,16 +15,16 @@ use rayon::prelude::*;
 
 use super::decode::Budget;
 use super::develop::Shot;
-use super::lens::{Cut, Lens, Undistortion};
+use super::lens::{Lens, Reprojection, Undistortion};
 use super::{DatasetOptions, Frame, decode};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE, median};
 use organza_core::error::Result;
 
 /// A view of a panorama: its name, and its right, down and forward axes in the photograph's camera space.
-pub type View = (&'static str, [DVec3; 3]);
+pub type PanoramaView = (&'static str, [DVec3; 3]);
 
 /// The views to train on: the faces of a cube.
-pub const FACES: [View; 6] = [
+pub const FACES: [PanoramaView; 6] = [
     ("front", heading(1.0, 0.0)),
     ("right", heading(0.0, 1.0)),
     ("back", heading(-1.0, 0.0)),
@@ -33,7 +33,7 @@ pub const FACES: [View; 6] = [
     ("down", [DVec3::X, DVec3::NEG_Z, DVec3::Y]),
 ];
 /// The views to find poses with: headings in degrees. Each overlaps the next one by half.
-pub const HEADINGS: [View; 8] = [
+pub const HEADINGS: [PanoramaView; 8] = [
     ("000", heading(1.0, 0.0)),
     ("045", heading(FRAC_1_SQRT_2, FRAC_1_SQRT_2)),
     ("090", heading(0.0, 1.0)),
@@ -72,12 +72,12 @@ pub fn is_panorama([width, height]: [u32; 2]) -> bool {
 /// assert_eq!(panorama_of("images/7.png", &FACES), None);
 /// ```
 #[must_use]
-pub fn panorama_of<'n>(name: &'n str, views: &[View]) -> Option<&'n str> {
+pub fn panorama_of<'n>(name: &'n str, views: &[PanoramaView]) -> Option<&'n str> {
     Some(view_of(name, views)?.0)
 }
 
 /// The panorama that a view is of, and the view's axes.
-fn view_of<'n>(name: &'n str, views: &[View]) -> Option<(&'n str, DMat3)> {
+fn view_of<'n>(name: &'n str, views: &[PanoramaView]) -> Option<(&'n str, DMat3)> {
     let (panorama, named) = name.strip_suffix(ENDING)?.rsplit_once('.')?;
     let (_, [right, down, forward]) = views.iter().find(|(view, _)| *view == named)?;
     Some((panorama, DMat3::from_cols(*right, *down, *forward)))
@@ -86,7 +86,7 @@ fn view_of<'n>(name: &'n str, views: &[View]) -> Option<(&'n str, DMat3)> {
 /// The cameras of each panorama's `views`, all at one place, sorted by name. `found` has a camera for each view of
 /// [`HEADINGS`]. A panorama has the median pose of its found views, so some may be wrong or missing.
 #[must_use]
-pub fn join(found: &[Camera], views: &[View]) -> Vec<Camera> {
+pub fn join(found: &[Camera], views: &[PanoramaView]) -> Vec<Camera> {
     let mut panoramas: BTreeMap<_, Vec<(DVec4, DVec3)>> = BTreeMap::new();
     for camera in found {
         let view = camera.file_path.as_deref().and_then(|name| view_of(name, &HEADINGS));
@@ -125,7 +125,7 @@ pub fn stem(name: &str) -> &str {
 ///
 /// # Errors
 /// The same errors as [`Dataset::load`](super::Dataset::load) for a photograph.
-pub fn cut(path: &Path, side: u32, views: &[View]) -> Result<Vec<Frame>> {
+pub fn cut(path: &Path, side: u32, views: &[PanoramaView]) -> Result<Vec<Frame>> {
     let size = decode::size(path)?;
     let pose = DMat4::IDENTITY.to_cols_array_2d();
     let full = f64::from(size[0]) / PI;
@@ -170,8 +170,8 @@ fn is_wide(shot: &Shot) -> bool {
 }
 
 /// The `views`, of `side` x `side` pixels, that show some of the photograph.
-fn seen(shot: &Shot, side: f64, views: &[View]) -> Vec<Shot> {
-    let mut whole = Cut::whole(&shot.camera);
+fn seen(shot: &Shot, side: f64, views: &[PanoramaView]) -> Vec<Shot> {
+    let mut whole = Reprojection::whole(&shot.camera);
     if shot.lens.panorama {
         let [width, height] = whole.size.map(f64::from);
         whole.focal = [width / TAU, height / PI];
@@ -179,7 +179,7 @@ fn seen(shot: &Shot, side: f64, views: &[View]) -> Vec<Shot> {
     }
     let side = side.round().clamp(1.0, f64::from(MAX_IMAGE_SIDE));
     let stem = stem(&shot.name);
-    let view = |&(view, axes): &View| {
+    let view = |&(view, axes): &PanoramaView| {
         let [right, down, forward] = axes;
         let turned = |[x, y, z, place]: [f64; 4]| {
             // a file's y and z axes point up and back
@@ -191,7 +191,7 @@ fn seen(shot: &Shot, side: f64, views: &[View]) -> Vec<Shot> {
         let mut camera = Camera::pinhole(pose, [side / 2.0; 2], [side / 2.0; 2], [side as u32; 2]);
         let name = format!("{stem}.{view}{ENDING}");
         camera.file_path = Some(name.clone());
-        let lens = Lens { cut: Some(Cut { axes, ..whole }), ..shot.lens };
+        let lens = Lens { cut: Some(Reprojection { axes, ..whole }), ..shot.lens };
         let undistortion = Undistortion::new(&camera, &lens);
         let place = |step: u32| (f64::from(step) + 0.5) * side / f64::from(GRID);
         let mut places = (0..GRID * GRID).map(|at| [place(at % GRID), place(at / GRID)]);

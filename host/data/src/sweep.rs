@@ -37,7 +37,7 @@ const SOLID: f32 = 0.5;
 
 /// Finds at most `count` points. `distance` is the cameras' distance from their target.
 pub fn points(frames: &[&Frame], distance: f64, count: usize, seed: u64) -> Vec<Point> {
-    let views: Vec<View> = frames.par_iter().map(|frame| View::new(frame)).collect();
+    let views: Vec<ReducedView> = frames.par_iter().map(|frame| ReducedView::new(frame)).collect();
     let neighbors: Vec<_> =
         views.par_iter().map(|view| neighbors(view, &views, distance)).collect();
     let all = 0..count as u64;
@@ -53,7 +53,7 @@ pub fn points(frames: &[&Frame], distance: f64, count: usize, seed: u64) -> Vec<
 }
 
 /// A reduced photograph.
-struct View {
+struct ReducedView {
     /// Rotation from world to camera axes: right, down, forward.
     rotation: DMat3,
     eye: DVec3,
@@ -66,7 +66,7 @@ struct View {
     empty: Vec<bool>,
 }
 
-impl View {
+impl ReducedView {
     fn new(frame: &Frame) -> Self {
         let camera = &frame.camera;
         let image = &frame.image;
@@ -144,7 +144,7 @@ fn reduce(image: &Photograph, [x, y]: [u32; 2], factor: u32) -> (Option<Vec3>, b
 }
 
 /// The views to compare a view with.
-fn neighbors(view: &View, views: &[View], distance: f64) -> Vec<usize> {
+fn neighbors(view: &ReducedView, views: &[ReducedView], distance: f64) -> Vec<usize> {
     let mut found: Vec<(f64, usize)> = Vec::new();
     for (index, other) in views.iter().enumerate() {
         let baseline = other.eye.distance(view.eye) / distance;
@@ -158,14 +158,14 @@ fn neighbors(view: &View, views: &[View], distance: f64) -> Vec<usize> {
 
 /// A pixel's ray and patch, as other cameras see them.
 struct Ray<'v> {
-    view: &'v View,
+    view: &'v ReducedView,
     place: [f64; 2],
     color: Vec3,
     others: Vec<Other<'v>>,
 }
 
 struct Other<'v> {
-    view: &'v View,
+    view: &'v ReducedView,
     /// Center of the ray's camera.
     eye: DVec3,
     /// Directions and colors of the patch of pixels, starting with the ray's own.
@@ -174,8 +174,8 @@ struct Other<'v> {
 
 impl<'v> Ray<'v> {
     fn random(
-        view: &'v View,
-        views: &'v [View],
+        view: &'v ReducedView,
+        views: &'v [ReducedView],
         neighbors: &[usize],
         random: &mut impl Rng,
     ) -> Option<Self> {
@@ -232,7 +232,7 @@ impl<'v> Ray<'v> {
     }
 
     /// A point on the ray, drawn by how well photographs agree on it.
-    fn point(&self, views: &[View], distance: f64, random: &mut impl Rng) -> Option<Point> {
+    fn point(&self, views: &[ReducedView], distance: f64, random: &mut impl Rng) -> Option<Point> {
         let [first, last] = RANGE.map(|range| 1.0 / (range * distance));
         let step = (first - last) / DEPTHS as f64;
         let mut best: Option<(f32, f64)> = None;
@@ -242,7 +242,7 @@ impl<'v> Ray<'v> {
             let uniform: f32 = random.random_range(f32::MIN_POSITIVE..1.0);
             let Some(difference) = self.difference(inverse) else { continue };
             let key = difference / NOISE + (-uniform.ln()).ln();
-            if best.is_none_or(|(least, _)| key < least) && self.is_possible(inverse, views) {
+            if best.is_none_or(|(min, _)| key < min) && self.is_possible(inverse, views) {
                 best = Some((key, inverse));
             }
         }
@@ -270,7 +270,7 @@ impl<'v> Ray<'v> {
     }
 
     /// Whether no photograph shows the place empty: whether it is in the hull of the silhouettes.
-    fn is_possible(&self, inverse: f64, views: &[View]) -> bool {
+    fn is_possible(&self, inverse: f64, views: &[ReducedView]) -> bool {
         let place = self.at(inverse);
         views.iter().all(|view| {
             let seen = view.project(view.rotation * (place - view.eye));

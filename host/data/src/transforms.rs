@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use glam::{DMat3, DVec3};
 use serde_json::Value;
 
-use super::find::{self, Access, Found};
+use super::find::{self, Access, PhotographFile};
 use super::lens::Lens;
 use super::panorama::is_panorama;
 use super::{
@@ -28,7 +28,7 @@ const FISHEYE: &str = "OPENCV_FISHEYE";
 /// Functions that find and measure a data set's photographs.
 pub(super) struct Photographs {
     /// Finds a photograph: see [`find::photograph`].
-    pub find: fn(&Path, &str, Option<&str>, u32) -> Result<Found, PathBuf>,
+    pub find: fn(&Path, &str, Option<&str>, u32) -> Result<PhotographFile, PathBuf>,
     /// Width and height of a photograph in pixels.
     pub size: fn(&Path) -> Result<[u32; 2]>,
 }
@@ -207,7 +207,7 @@ pub(super) fn lens_of(file: &Value) -> Result<Lens, String> {
 }
 
 /// Least number of cameras that must agree.
-const LEAST: usize = 3;
+const MIN_PAIRS: usize = 3;
 /// Largest distance of a camera from its place, relative to the distances between cameras.
 const CLOSE: f64 = 0.02;
 
@@ -235,9 +235,9 @@ pub(super) fn points(
         |camera| Some((most_alike(by_name.get(file_name(camera_name(camera)))?, camera)?, camera));
     let pairs: Vec<(&Camera, &Camera)> =
         listing.shots.iter().filter_map(|shot| pair(&shot.camera)).collect();
-    if pairs.len() < LEAST {
+    if pairs.len() < MIN_PAIRS {
         return Err(unused(format!(
-            "only {} of its {} photographs have the names of photographs in the data set, and {LEAST} are needed \
+            "only {} of its {} photographs have the names of photographs in the data set, and {MIN_PAIRS} are needed \
              to compare their cameras",
             pairs.len(),
             cameras.len()
@@ -268,8 +268,8 @@ fn file_name(path: &str) -> &str {
 /// The model's camera with the same photograph: of all `cameras` whose photographs have its name, the one in the same
 /// folders. `None` if several are.
 fn most_alike<'a>(cameras: &[&'a Camera], camera: &Camera) -> Option<&'a Camera> {
-    let most = cameras.iter().map(|other| likeness(other, camera)).max()?;
-    let mut best = cameras.iter().filter(|other| likeness(other, camera) == most);
+    let largest = cameras.iter().map(|other| likeness(other, camera)).max()?;
+    let mut best = cameras.iter().filter(|other| likeness(other, camera) == largest);
     best.next().filter(|_| best.next().is_none()).copied()
 }
 

@@ -3,7 +3,7 @@
 use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::composite::{CompositeInputs, CompositeParams};
-use organza_shaders::limits::MAX_MEMBERS;
+use organza_shaders::limits::MAX_INTERSECTIONS;
 use organza_shaders::project::FALLOFF_CUTOFF;
 use organza_shaders::tile::Tile;
 
@@ -23,10 +23,10 @@ pub(super) fn tiles() -> [Tile; 3] {
 case!(pub Composite(CompositeInputs));
 
 impl Composite {
-    pub(super) fn new(side: u32, members: &[u32], fill: Fill, seed: u64) -> Self {
+    pub(super) fn new(side: u32, intersections: &[u32], fill: Fill, seed: u64) -> Self {
         let mut random = Random::new(seed);
         let splats = 300;
-        let tiles: Vec<_> = tiles().into_iter().take(members.len()).collect();
+        let tiles: Vec<_> = tiles().into_iter().take(intersections.len()).collect();
         let far = 20_f32.max(side as f32 + 3.0);
         let mean = fill.values(&mut random, 2 * splats, [-12.0, far], 1e30);
         let conic = fill.values(&mut random, 2 * splats, [0.003, 0.4], 1e30);
@@ -48,16 +48,16 @@ impl Composite {
             ]
         });
         let splat = splat.collect();
-        let tile_first = prefix(members.iter().copied());
-        let all = tile_first[members.len()];
-        let member = (0..all).map(|_| random.below(splats as u32)).collect();
+        let tile_first = prefix(intersections.iter().copied());
+        let all = tile_first[intersections.len()];
+        let intersection = (0..all).map(|_| random.below(splats as u32)).collect();
         let area = (side * side) as usize;
         let sum = random.values(4 * tiles.len() * area, 0.0, 0.5);
         Self(CompositeInputs {
             params: CompositeParams { side, skip: 0 },
             tile: pack(&tiles),
             tile_first,
-            member,
+            intersection,
             // all cells
             cells: vec![u32::MAX; all as usize],
             splat,
@@ -73,16 +73,16 @@ impl Composite {
         }
     }
 
-    /// A tile with more members than a pass takes: faint ones, and then bright ones.
+    /// A tile with more intersections than a pass takes: faint ones, and then bright ones.
     fn crowded() -> Self {
-        let mut set = Self::new(1, &[MAX_MEMBERS + 5, 3], Fill::Random, 4);
+        let mut set = Self::new(1, &[MAX_INTERSECTIONS + 5, 3], Fill::Random, 4);
         let [faint, bright] = [1e-6, 1.0].map(|weight| {
             let [width, height] = extent([0.1, 0.0, 0.1]);
             let center = Vec4::new(0.5, 0.5, weight, width);
             [center, Vec4::new(0.1, 0.0, 0.1, height), Vec4::splat(0.7)]
         });
         set.splat[..6].copy_from_slice([faint, bright].as_flattened());
-        let (first, rest) = set.member.split_at_mut(MAX_MEMBERS as usize);
+        let (first, rest) = set.intersection.split_at_mut(MAX_INTERSECTIONS as usize);
         first.fill(0);
         rest.fill(1);
         set
@@ -92,9 +92,9 @@ impl Composite {
     fn splats(&self, tile: usize) -> impl Iterator<Item = &[Vec4; 3]> {
         let end = self.tile_first[tile + 1];
         let first = self.tile_first[tile] + self.params.skip;
-        let end = end.min(first + MAX_MEMBERS);
-        let members = &self.member[first.min(end) as usize..end as usize];
-        members.iter().map(|&member| &self.splat.as_chunks().0[member as usize])
+        let end = end.min(first + MAX_INTERSECTIONS);
+        let intersections = &self.intersection[first.min(end) as usize..end as usize];
+        intersections.iter().map(|&intersection| &self.splat.as_chunks().0[intersection as usize])
     }
 }
 
@@ -134,8 +134,8 @@ pub(super) fn pixel(planes: &[f32], area: usize, pixel: usize) -> [Rounded; 4] {
 impl Parity for Composite {
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets_of(SIDES, 9, |side, fill, _| Self::filled(side, fill, 1));
-        sets.push(("no members".into(), Self::new(8, &[0], Fill::Random, 3)));
-        sets.push(("one member".into(), Self::new(8, &[1], Fill::Random, 3)));
+        sets.push(("no intersections".into(), Self::new(8, &[0], Fill::Random, 3)));
+        sets.push(("one intersection".into(), Self::new(8, &[1], Fill::Random, 3)));
         sets.push(("crowded".into(), Self::crowded()));
         let mut second = Self::new(8, &[25, 20], Fill::Random, 5);
         second.params.skip = 20;

@@ -16,7 +16,7 @@ case!(pub CompositeBackward(CompositeBackwardInputs));
 impl CompositeBackward {
     fn new(Composite(forward): Composite) -> Self {
         let side = forward.params.side;
-        let CompositeInputs { tile, tile_first, member, mut splat, sum, .. } = forward;
+        let CompositeInputs { tile, tile_first, intersection, mut splat, sum, .. } = forward;
         // squares of distances are finite
         for placed in splat.iter_mut().step_by(3) {
             placed.x = placed.x.clamp(-1e15, 1e15);
@@ -24,10 +24,11 @@ impl CompositeBackward {
         }
         let mut random = Random::new(8);
         let sum_gradient = random.values(sum.len(), -1.0, 1.0);
-        let member_gradient = Fill::Random.vectors(&mut random, 3 * member.len(), [-1.0, 1.0], 0.0);
+        let intersection_gradient =
+            Fill::Random.vectors(&mut random, 3 * intersection.len(), [-1.0, 1.0], 0.0);
         Self(CompositeBackwardInputs {
             params: CompositeBackwardParams {
-                members: member.len() as u32,
+                intersections: intersection.len() as u32,
                 tiles: tile_first.len() as u32 - 1,
                 side,
                 first_row: 0,
@@ -37,10 +38,10 @@ impl CompositeBackward {
             },
             tile,
             tile_first,
-            member,
+            intersection,
             splat,
             sum_gradient,
-            member_gradient,
+            intersection_gradient,
         })
     }
 
@@ -63,12 +64,12 @@ impl CompositeBackward {
         self
     }
 
-    /// A member's splat.
+    /// An intersection's splat.
     fn splat(&self, index: usize) -> &[Vec4; 3] {
-        &self.splat.as_chunks().0[self.member[index] as usize]
+        &self.splat.as_chunks().0[self.intersection[index] as usize]
     }
 
-    /// The pixels of a band of a member's tile: their centers, and the gradients of their sums.
+    /// The pixels of a band of an intersection's tile: their centers, and the gradients of their sums.
     fn pixels(&self, index: usize) -> impl Iterator<Item = ([f64; 2], [Rounded; 4])> {
         let CompositeBackwardParams { side, first_row, rows, tiles, .. } = self.params;
         let first = |tile: &u32| self.tile_first[*tile as usize] as usize <= index;
@@ -102,18 +103,18 @@ impl CompositeBackward {
 
 impl Parity for CompositeBackward {
     fn sets() -> Vec<(String, Self)> {
-        let new = |side, members: &[u32], seed| {
-            Self::new(Composite::new(side, members, Fill::Random, seed))
+        let new = |side, intersections: &[u32], seed| {
+            Self::new(Composite::new(side, intersections, Fill::Random, seed))
         };
         let mut sets =
             inputs::sets_of(SIDES, 9, |side, fill, _| Self::new(Composite::filled(side, fill, 11)));
-        sets.push(("no members".into(), new(8, &[0], 13)));
-        sets.push(("one member".into(), new(8, &[1], 13)));
+        sets.push(("no intersections".into(), new(8, &[0], 13)));
+        sets.push(("one intersection".into(), new(8, &[1], 13)));
         // whole blocks of lanes, and those with a rest
         for side in [16, 19, 33, 64] {
             sets.push((format!("few, side {side}"), new(side, &[9, 0, 7], 15)));
         }
-        // more rows than a dispatch may sum over, and members that may reach all pixels
+        // more rows than a dispatch may sum over, and intersections that may reach all pixels
         let mut wide = new(260, &[5, 4], 16);
         wide.splat.iter_mut().for_each(|vector| vector.w = 1e9);
         let rows = band_rows(260);
@@ -135,8 +136,8 @@ impl Parity for CompositeBackward {
             let [r, g, b] = if self.params.colors == 1 { [r, g, b] } else { [zero; 3] };
             [x, y, weight, zero, xx, xy, yy, zero, r, g, b, zero]
         };
-        let before = self.member_gradient.iter().flat_map(Vec4::to_array);
-        let sums = (0..self.member.len()).flat_map(of);
+        let before = self.intersection_gradient.iter().flat_map(Vec4::to_array);
+        let sums = (0..self.intersection.len()).flat_map(of);
         listed(before.zip(sums).map(|(before, sum)| Rounded::from(before) + sum))
     }
 }

@@ -3,7 +3,7 @@
 use muslin::count::{CountFillInputs, OVERFLOW, PLACEMENT_VALUES};
 use muslin_check::prelude::*;
 use organza_shaders::count::{
-    COUNTS, ClearOnOverflowInputs, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalInputs,
+    COUNTS, ClearOnOverflowInputs, ClearOnOverflowParams, INTERSECTIONS, PAIRS, RecordTotalInputs,
     RecordTotalParams, SAMPLES,
 };
 
@@ -15,7 +15,7 @@ impl Parity for RecordTotal {
         for (total, capacity) in [(0, 0), (0, 5), (5, 5), (6, 5), (u32::MAX, u32::MAX - 1)] {
             for misfit in [0, 1] {
                 let set = Self(RecordTotalInputs {
-                    params: RecordTotalParams { slot: MEMBERS, last: 2, capacity },
+                    params: RecordTotalParams { slot: INTERSECTIONS, last: 2, capacity },
                     first: vec![0, 0, total],
                     counts: vec![misfit, 7, 8, 9],
                 });
@@ -25,7 +25,7 @@ impl Parity for RecordTotal {
         sets
     }
 
-    /// misfit, pairs, members, samples: the total of the members, and whether it fits.
+    /// misfit, pairs, intersections, samples: the total of the intersections, and whether it fits.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let [misfit, pairs, samples] = [0, 1, 3].map(|slot| self.counts[slot]);
         let total = self.first[self.first.len() - 1];
@@ -66,7 +66,7 @@ impl Parity for CountFill {
             let mut random = Random::new(u64::from(size));
             let mut placement = vec![size, 0, 0, 0];
             for number in 0..size {
-                let slot = [PAIRS, MEMBERS, SAMPLES][random.below(3) as usize];
+                let slot = [PAIRS, INTERSECTIONS, SAMPLES][random.below(3) as usize];
                 // every other word
                 placement.extend([2 * number, slot, random.below(3000), random.below(1000)]);
             }
@@ -81,10 +81,10 @@ impl Parity for CountFill {
         SIZES.into_iter().flat_map(|size| [0, 1].map(|misfit| of(size, misfit))).collect()
     }
 
-    /// The rest of each total behind `first`, at most `most`; 0 after an overflow.
+    /// The rest of each total behind `first`, at most `max`; 0 after an overflow.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
-        let number = |&[_, slot, first, most]: &[u32; 4]| match self.counts[..] {
-            [0, ref counts @ ..] => counts[slot as usize - 1].saturating_sub(first).min(most),
+        let number = |&[_, slot, first, max]: &[u32; 4]| match self.counts[..] {
+            [0, ref counts @ ..] => counts[slot as usize - 1].saturating_sub(first).min(max),
             _ => 0,
         };
         let numbers = self.placement.as_chunks().0[1..].iter();

@@ -2,7 +2,7 @@
 
 use muslin_check::prelude::*;
 use organza_shaders::distortion::{
-    DistortionBackwardInputs, DistortionParams, LEAST_DISTANCE, PairInverseDistanceInputs,
+    DistortionBackwardInputs, DistortionParams, MIN_DISTANCE, PairInverseDistanceInputs,
     PairInverseDistanceParams,
 };
 
@@ -41,7 +41,7 @@ impl Parity for PairInverseDistance {
             let center = self.scene.gaussian(gaussian).position;
             let offset = [0, 1, 2].map(|i| center[i] - view.eye[i].into());
             let distance = dot(offset, offset).sqrt();
-            let u = Rounded::from(1.0) / distance.max(LEAST_DISTANCE.into());
+            let u = Rounded::from(1.0) / distance.max(MIN_DISTANCE.into());
             [u, u * u, 0.0.into()]
         };
         listed(self.pair.iter().flat_map(of))
@@ -57,8 +57,7 @@ impl DistortionBackward {
         let tiles = tiles();
         let area = (side * side) as usize;
         let pixels = tiles.len() * area;
-        let [weight, mean] =
-            [weights, means].map(|[least, most]| random.values(pixels, least, most));
+        let [weight, mean] = [weights, means].map(|[min, max]| random.values(pixels, min, max));
         // S M_2 / M_1^2 is at least 1
         let spread = random.values(pixels, 1.0, 4.0);
         let sum = (0..pixels).map(|i| match i % 7 {

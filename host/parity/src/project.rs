@@ -181,8 +181,8 @@ impl Project {
         let [dx, dy] = [outside(0), outside(1)];
         let [across, down] = found.jacobian.map(|row| dot(row, row));
         let longest = gaussian.axes().into_iter().fold(zero, Number::max);
-        let most = (across + down) * longest * longest + self.params.blur.into();
-        let reach = Rounded::from(1.02 * cutoff()) * most + 0.02.into();
+        let max = (across + down) * longest * longest + self.params.blur.into();
+        let reach = Rounded::from(1.02 * cutoff()) * max + 0.02.into();
         (dx * dx + dy * dy - reach).is_above(0.0)
     }
 }

@@ -43,9 +43,9 @@ impl Splat {
     }
 }
 
-/// The conic of a covariance with a blur of 0.3, turned by any angle. Its variances are powers of 10, from `least` on up to 2.
-pub(super) fn blurred_conic(random: &mut Random, least: f32) -> Vec3 {
-    let axes = [0, 1].map(|_| 1.0 / (10f32.powf(random.between(least, 2.0)) + 0.3));
+/// The conic of a covariance with a blur of 0.3, turned by any angle. Its variances are powers of 10, from `min` on up to 2.
+pub(super) fn blurred_conic(random: &mut Random, min: f32) -> Vec3 {
+    let axes = [0, 1].map(|_| 1.0 / (10f32.powf(random.between(min, 2.0)) + 0.3));
     let (sin, cos) = random.between(0.0, 3.2).sin_cos();
     let [a, b] = axes;
     Vec3::new(a * cos * cos + b * sin * sin, (a - b) * sin * cos, a * sin * sin + b * cos * cos)
@@ -105,34 +105,35 @@ impl SplatBackward {
         for row in tile_mask.chunks_exact_mut(words.max(1) as usize) {
             row[words as usize - 1] &= u32::MAX >> (32 * words - gaussians);
         }
-        let mut first_member = scanned(&tile_mask);
-        let members = first_member.pop().unwrap_or_default();
+        let mut first_intersection = scanned(&tile_mask);
+        let intersections = first_intersection.pop().unwrap_or_default();
         let mut set = Self(SplatBackwardInputs {
             params: SplatBackwardParams { pairs: 0, gaussians, words },
             pair: Vec::new(),
             first_tile: FIRST_TILE.to_vec(),
             tile_mask,
-            first_member,
+            first_intersection,
             opacity: fill.values(random, gaussians as usize, [-12.0, 12.0], 3e38),
             transmittance: Vec::new(),
-            member_gradient: Vec::new(),
+            intersection_gradient: Vec::new(),
             pair_gradient: Vec::new(),
         });
-        set.member_gradient = vec![Vec4::ZERO; 3 * members as usize];
+        set.intersection_gradient = vec![Vec4::ZERO; 3 * intersections as usize];
         set.pair = set.sums().into_keys().collect();
         set.params.pairs = set.pair.len() as u32;
         set.pair_gradient = unwritten(VECTORS as usize * set.pair.len());
         set.transmittance = random.values(set.pair.len(), 0.0, 1.0);
         set.transmittance.iter_mut().step_by(7).for_each(|value| *value = 0.0);
-        set.member_gradient = fill.vectors(random, 3 * members as usize, [-1.0, 1.0], 1e37);
+        set.intersection_gradient =
+            fill.vectors(random, 3 * intersections as usize, [-1.0, 1.0], 1e37);
         set
     }
 
-    /// The sum over every pair's members, which are in the order of the masks' bits.
+    /// The sum over every pair's intersections, which are in the order of the masks' bits.
     fn sums(&self) -> BTreeMap<u32, [Rounded; 12]> {
         let row = 32 * self.params.gaussians.div_ceil(32) as usize;
         let mut sums = BTreeMap::new();
-        for (vectors, at) in self.member_gradient.chunks(3).zip(bits(&self.tile_mask)) {
+        for (vectors, at) in self.intersection_gradient.chunks(3).zip(bits(&self.tile_mask)) {
             let camera = FIRST_TILE.iter().rposition(|&first| first as usize <= at / row);
             let camera = camera.expect("the first is 0") as u32;
             let slot = camera * self.params.gaussians + (at % row) as u32;

@@ -62,7 +62,7 @@ impl TileMask {
         set
     }
 
-    /// Moves Gaussians behind the camera if rounding decides whether they are members.
+    /// Moves Gaussians behind the camera if rounding decides whether they are intersections.
     fn leave_the_margin(&mut self) {
         let TileMaskParams { gaussians, side, .. } = self.params;
         for tile in tiles() {
@@ -97,12 +97,12 @@ impl Parity for TileMask {
             for bit in 0..32.min(self.params.gaussians - 32 * word) {
                 let slot = tile.camera * self.params.gaussians + 32 * word + bit;
                 let p = self.projection[2 * slot as usize];
-                // squares of more are no f32: such a Gaussian may be a member of any tile
+                // squares of more are no f32: such a Gaussian may intersect any tile
                 if p.truncate().abs().max_element() >= 1e18 {
                     return Rounded::UNKNOWN;
                 }
-                let is_member = reaches(p, tile, self.params.side);
-                mask |= u32::from(is_member.expect("it leaves the margin")) << bit;
+                let intersects = reaches(p, tile, self.params.side);
+                mask |= u32::from(intersects.expect("it leaves the margin")) << bit;
             }
             Rounded::from(if output == "mask" { mask } else { mask.count_ones() })
         };
@@ -123,13 +123,13 @@ impl Parity for TileFill {
                 let first = (tile.camera * words) as usize;
                 pair_mask[first..].iter_mut().zip(masks).for_each(|(pair, mask)| *pair |= mask);
             }
-            let first_member = scanned(&tile_mask);
+            let first_intersection = scanned(&tile_mask);
             Self(TileFillInputs {
                 params: TileFillParams { words },
                 tile: pack(&tiles),
                 tile_mask,
-                member: unwritten(first_member[first_member.len() - 1] as usize),
-                first_member,
+                intersection: unwritten(first_intersection[first_intersection.len() - 1] as usize),
+                first_intersection,
                 first_pair: scanned(&pair_mask),
                 pair_mask,
             })
@@ -142,13 +142,15 @@ impl Parity for TileFill {
         let gaussians = 32 * self.params.words as usize;
         let pairs: Vec<_> = bits(&self.pair_mask).collect();
         let tiles = tiles();
-        let members = tiles.iter().enumerate().flat_map(|(t, tile)| {
-            let members = bits(&self.tile_mask[t * words..][..words]);
+        let intersections = tiles.iter().enumerate().flat_map(|(t, tile)| {
+            let intersections = bits(&self.tile_mask[t * words..][..words]);
             let slots: Vec<_> =
-                members.map(|gaussian| tile.camera as usize * gaussians + gaussian).collect();
-            slots.into_iter().map(|slot| pairs.binary_search(&slot).expect("members are pairs"))
+                intersections.map(|gaussian| tile.camera as usize * gaussians + gaussian).collect();
+            slots
+                .into_iter()
+                .map(|slot| pairs.binary_search(&slot).expect("intersections are pairs"))
         });
-        listed(members.map(|pair| pair as u32))
+        listed(intersections.map(|pair| pair as u32))
     }
 }
 
@@ -160,7 +162,7 @@ impl Parity for TileRange {
             let mut random = Random::new(u64::from(tiles));
             let set = Self(TileRangeInputs {
                 params: TileRangeParams { tiles, words },
-                first_member: (0..=tiles * words).map(|_| random.bits()).collect(),
+                first_intersection: (0..=tiles * words).map(|_| random.bits()).collect(),
                 tile_first: unwritten(tiles as usize + 1),
             });
             (format!("{tiles} tiles of {words} words"), set)
@@ -170,6 +172,6 @@ impl Parity for TileRange {
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         // the sums end with the total, where a tile more would begin
-        listed(self.first_member.iter().copied().step_by(self.params.words as usize))
+        listed(self.first_intersection.iter().copied().step_by(self.params.words as usize))
     }
 }

@@ -11,16 +11,16 @@ case!(pub TileCells(TileCellsInputs));
 impl TileCells {
     fn new(Composite(forward): Composite) -> Self {
         let side = forward.params.side;
-        let CompositeInputs { tile, tile_first, member, splat, .. } = forward;
+        let CompositeInputs { tile, tile_first, intersection, splat, .. } = forward;
         let tiles = tile_first.len() as u32 - 1;
-        let members = member.len();
+        let intersections = intersection.len();
         Self(TileCellsInputs {
-            params: TileCellsParams { members: members as u32, tiles, side },
+            params: TileCellsParams { intersections: intersections as u32, tiles, side },
             tile,
             tile_first,
-            member,
+            intersection,
             splat,
-            cells: unwritten(members),
+            cells: unwritten(intersections),
         })
     }
 }
@@ -30,7 +30,7 @@ impl Parity for TileCells {
         let sides = SIDES.into_iter().chain([64, 65, 200]);
         let mut sets =
             inputs::sets_of(sides, 33, |side, fill, _| Self::new(Composite::filled(side, fill, 1)));
-        sets.push(("no members".into(), Self::new(Composite::new(8, &[0], Fill::Random, 3))));
+        sets.push(("no intersections".into(), Self::new(Composite::new(8, &[0], Fill::Random, 3))));
         sets
     }
 
@@ -40,9 +40,9 @@ impl Parity for TileCells {
         let size = [16 * self.params.side.div_ceil(64), self.params.side.div_ceil(8)];
         let tiles = tiles();
         let splats = self.splat.as_chunks::<3>().0;
-        let cells = |(place, &member): (usize, &u32)| {
+        let cells = |(place, &intersection): (usize, &u32)| {
             let tile = self.tile_first.partition_point(|&first| first as usize <= place) - 1;
-            let [placed, conic, _] = splats[member as usize];
+            let [placed, conic, _] = splats[intersection as usize];
             let centers = [placed.x, placed.y].map(Rounded::from);
             let extents = [placed.w, conic.w].map(Rounded::from);
             let reached = |axis: usize, number: u32| {
@@ -61,6 +61,6 @@ impl Parity for TileCells {
             }
             bits.into()
         };
-        listed(self.member.iter().enumerate().map(cells))
+        listed(self.intersection.iter().enumerate().map(cells))
     }
 }

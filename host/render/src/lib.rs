@@ -33,8 +33,8 @@ pub use loss::image::{
 };
 pub use loss::own::{DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss};
 pub use pass::loss_gradient::QueuedLoss;
-pub use pass::recording::Recording;
 pub use pass::renderer::Renderer;
+pub use pass::tape::Tape;
 pub use queries::contribution::Contributions;
 pub use queries::eye::{EyeCache, EyeOptions, FieldWork};
 pub use queries::frame::{Frame, FrameShape};

@@ -1,7 +1,7 @@
 //! Parts whose counts stay on the device against parts whose counts the host reads; smaller images, as in training; exposures.
 
 mod distortion;
-mod recording;
+mod tape;
 
 use crate::pass::part::Part;
 use crate::stages::composite::TileGradient;
@@ -58,12 +58,12 @@ fn bits<T: bytemuck::Pod>(device: &Device, buffer: &Buffer<T>) -> Vec<u32> {
 fn evaluate(
     scene: &DeviceScene,
     cameras: &[Camera],
-    plan: &PartTiles,
+    part_tiles: &PartTiles,
     capacity: Option<Capacity>,
 ) -> (Vec<Vec<u32>>, Option<Capacity>) {
     let device = scene.device();
     let counts = capacity.map(|capacity| PartCounts::new(device, capacity).expect("memory"));
-    let part = Part::evaluate(scene, cameras, plan, true, counts).expect("a part");
+    let part = Part::evaluate(scene, cameras, part_tiles, true, counts).expect("a part");
     let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
     let image = &part.composite.image;
     let d_tiles = TileGradient { d_tiles: image.view(), terms: Vec::new() };
@@ -93,17 +93,18 @@ fn predicted_capacities_keep_the_bits() {
         let renderer = Renderer::new(device);
         let device = renderer.device();
         let scene = renderer.upload(&scene).expect("a scene");
-        let plans = PartTiles::split(&scene, &tiles(), PART_BYTES).expect("a plan");
-        assert_eq!(plans.len(), 1);
-        let (expected, needed) = evaluate(&scene, &cameras, &plans[0], None);
+        let parts = PartTiles::split(&scene, &tiles(), PART_BYTES).expect("parts");
+        assert_eq!(parts.len(), 1);
+        let (expected, needed) = evaluate(&scene, &cameras, &parts[0], None);
         let Some(capacity) = needed else { panic!("there is capacity for all") };
-        let Capacity { pairs, members, samples } = capacity;
-        assert!(pairs > 100 && members > pairs && samples > 2 * pairs, "{capacity:?}");
+        let Capacity { pairs, intersections, samples } = capacity;
+        assert!(pairs > 100 && intersections > pairs && samples > 2 * pairs, "{capacity:?}");
 
         // enough
-        let more = Capacity { pairs: pairs * 2, members: members + 100, samples: samples * 3 };
+        let more =
+            Capacity { pairs: pairs * 2, intersections: intersections + 100, samples: samples * 3 };
         for capacity in [capacity, more] {
-            let (found, told) = evaluate(&scene, &cameras, &plans[0], Some(capacity));
+            let (found, told) = evaluate(&scene, &cameras, &parts[0], Some(capacity));
             assert_eq!(told, needed, "{}", device.choice());
             for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
                 assert!(found == expected, "{}: value {index}, {capacity:?}", device.choice());
@@ -112,12 +113,14 @@ fn predicted_capacities_keep_the_bits() {
         // too little of one: background, and no gradient at all
         let background = scene.config.background.map(|channel| (channel as f32).to_bits());
         let pairs = pairs - 1;
-        let members = members - 1;
+        let intersections = intersections - 1;
         let samples = samples - 1;
-        for capacity in
-            [Capacity { pairs, ..more }, Capacity { members, ..more }, Capacity { samples, ..more }]
-        {
-            let (found, told) = evaluate(&scene, &cameras, &plans[0], Some(capacity));
+        for capacity in [
+            Capacity { pairs, ..more },
+            Capacity { intersections, ..more },
+            Capacity { samples, ..more },
+        ] {
+            let (found, told) = evaluate(&scene, &cameras, &parts[0], Some(capacity));
             assert_eq!(told, None, "{}: {capacity:?}", device.choice());
             let planes = found[0].chunks(16 * 16).zip(background.into_iter().cycle());
             for (plane, value) in planes {
@@ -255,7 +258,7 @@ fn gradients_match_differences() {
         let renderer = Renderer::new(devices::cpu(Some(2))).with_part_bytes(bytes);
         let (_, found, by_bias) = of_exposure(&renderer, &scene, &exposure);
         let slope = |of: &dyn Fn(f32) -> f64| (of(STEP) - of(-STEP)) / f64::from(2.0 * STEP);
-        let largest = found.iter().fold(0.0_f64, |most, g| most.max(g.abs()));
+        let largest = found.iter().fold(0.0_f64, |largest, g| largest.max(g.abs()));
         // the values of one tile per camera
         for at in (0..6).chain(12..18) {
             let expected = slope(&|step| {

@@ -174,9 +174,9 @@ fn drawn(value: f64, scale: Scale) -> Number {
     if scale == Scale::Log && value <= 0.0 { Number(None) } else { value.into() }
 }
 
-/// At most `most` of the elements, evenly chosen, including the last.
-pub(super) fn thinned<T>(all: Vec<T>, most: usize) -> Vec<T> {
-    let every = all.len().div_ceil(most.max(1)).max(1);
+/// At most `max` of the elements, evenly chosen, including the last.
+pub(super) fn thinned<T>(all: Vec<T>, max: usize) -> Vec<T> {
+    let every = all.len().div_ceil(max.max(1)).max(1);
     let last = all.len().saturating_sub(1);
     let chosen =
         all.into_iter().enumerate().filter(|(at, _)| at.is_multiple_of(every) || *at == last);

@@ -25,13 +25,13 @@ pub struct Difference {
     pub values: Vec<Option<String>>,
 }
 
-/// The settings that differ between runs, in the order of `config.toml`, without `run.plan`: no user sets it.
+/// The settings that differ between runs, in the order of `config.toml`, without `run.schedule`: no user sets it.
 #[must_use]
 pub fn differences<'a>(runs: impl IntoIterator<Item = &'a Run>) -> Vec<Difference> {
     let lists: Vec<_> = runs.into_iter().map(|run| run.config.list()).collect();
     let mut seen = BTreeSet::new();
     let names = lists.iter().flatten().map(|(name, _)| name);
-    let names = names.filter(|name| *name != "run.plan" && seen.insert(*name));
+    let names = names.filter(|name| *name != "run.schedule" && seen.insert(*name));
     let value = |list: &Vec<(String, String)>, name: &str| {
         list.iter().find(|(other, _)| other == name).map(|(_, value)| value.clone())
     };

@@ -131,12 +131,12 @@ pub fn error_legend() -> Markup {
         format!("#{r:02x}{g:02x}{b:02x}")
     };
     let colors = (0..=STOPS).map(color).collect::<Vec<_>>().join(", ");
-    let most = 1.0 / f64::from(ERROR_FACTOR);
+    let max = 1.0 / f64::from(ERROR_FACTOR);
     html! {
         div.scale {
             span { "0" }
             span.ramp style=(format!("background: linear-gradient(to right, {colors})")) {}
-            span { (format!("≥ {most}")) }
+            span { (format!("≥ {max}")) }
         }
     }
 }

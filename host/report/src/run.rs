@@ -78,7 +78,9 @@ impl Run {
         }
         let mut until = self.records.iter().rev().filter(|record| record.step() <= summary.step);
         let gaussians = |record: &Record| match record {
-            Record::Step { gaussians, .. } | Record::Growth { gaussians, .. } => Some(*gaussians),
+            Record::Step { gaussians, .. } | Record::Densification { gaussians, .. } => {
+                Some(*gaussians)
+            }
             _ => None,
         };
         summary.gaussians = until.find_map(gaussians);
@@ -157,9 +159,9 @@ impl Run {
     }
 
     /// Numbers of split and pruned Gaussians, and the number of changes.
-    pub(super) fn growth(&self) -> ([u64; 2], usize) {
+    pub(super) fn densification(&self) -> ([u64; 2], usize) {
         let events = self.records.iter().filter_map(|record| match record {
-            Record::Growth { split, pruned, .. } => Some([split, pruned]),
+            Record::Densification { split, pruned, .. } => Some([split, pruned]),
             _ => None,
         });
         events.fold(([0; 2], 0), |(sums, times), event| {

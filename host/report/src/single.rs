@@ -40,7 +40,7 @@ pub(super) fn html(run: &Run) -> String {
         (header(run))
         @if let Some(last) = last { (views(run, last)) }
         (over_time(run, &evaluations))
-        (curves(&charts, &growth(run)))
+        (curves(&charts, &densification(run)))
         (scores(&evaluations))
         (sessions(run))
         (timing(run))
@@ -92,8 +92,8 @@ fn header(run: &Run) -> Markup {
 }
 
 /// A sentence about the changes of the Gaussians.
-fn growth(run: &Run) -> Markup {
-    let ([split, pruned], times) = run.growth();
+fn densification(run: &Run) -> Markup {
+    let ([split, pruned], times) = run.densification();
     if times == 0 {
         return Markup::default();
     }

@@ -73,7 +73,7 @@ fn records(names: &[&str]) -> Vec<Record> {
         if at % 500 == 0 && at < 1500 {
             let split = 23_000;
             let pruned = 1_500;
-            records.push(Record::Growth { step: at, split, pruned, gaussians: 1000 + at });
+            records.push(Record::Densification { step: at, split, pruned, gaussians: 1000 + at });
             records.push(evaluation(at, names));
         }
     }
@@ -305,7 +305,7 @@ fn the_page_shows_the_command_and_its_progress() {
         assert!(notes.contains(note), "{note}: {notes}");
     }
     let cells = texts(&page, "td");
-    for row in [["loss.ssim_weight", "0.3", "0.2"], ["run.steps", "2000", "run.plan"]] {
+    for row in [["loss.ssim_weight", "0.3", "0.2"], ["run.steps", "2000", "run.schedule"]] {
         assert!(cells.windows(3).any(|cells| cells == row), "{row:?}: {cells:?}");
     }
     let pictures: Vec<_> = page
@@ -405,8 +405,8 @@ fn a_long_run_is_thinned_out() {
 #[test]
 fn comparisons_show_different_settings_and_common_views() {
     let folder = tempfile::tempdir().unwrap();
-    // a plan says what `--minutes` did, not what the user chose
-    let text = "[run]\nseed = 7\nplan = [[0, 2000]]\n[data]\npath = \"garden\"\n";
+    // a schedule says what `--minutes` did, not what the user chose
+    let text = "[run]\nseed = 7\nschedule = [[0, 2000]]\n[data]\npath = \"garden\"\n";
     let first = run(&folder.path().join("a"), "", &records(&["x", "y"]));
     let second = run(&folder.path().join("b"), text, &records(&["y", "z"]));
     let found: Vec<_> = differences([&first, &second])

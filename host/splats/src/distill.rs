@@ -19,14 +19,14 @@ use organza_core::{Camera, Error, Image, Result, metrics};
 use organza_render::{DeviceScene, Renderer};
 
 /// Most pairs of a camera and a Gaussian to which the harmonics are fitted.
-const MOST_PAIRS: usize = 8_000_000;
+const MAX_PAIRS: usize = 8_000_000;
 /// Fewest and most cameras to which the harmonics are fitted.
 const CAMERAS: [usize; 2] = [8, 64];
 /// Least number of compared views. If there are fewer cameras, cameras between them are added: otherwise, harmonics
 /// and opacities would only fit a few views.
 const VIEWS: usize = 160;
 /// Least weight of a color: if nothing of it is visible, and if it is outside the image.
-const LEAST_WEIGHT: [f32; 2] = [0.02, 0.002];
+const MIN_WEIGHT: [f32; 2] = [0.02, 0.002];
 /// Smallest and largest opacity at the start: at 0 and 1, no gradient would change them.
 const OPACITIES: [f32; 2] = [0.002, 0.98];
 /// Largest absolute value of an opacity's logit.
@@ -234,8 +234,8 @@ fn first(
     cameras: &[Camera],
 ) -> Result<Vec<Splat>> {
     let gaussians = &scene.gaussians;
-    let most = (MOST_PAIRS / gaussians.len().max(1)).clamp(CAMERAS[0], CAMERAS[1]);
-    let every = cameras.len().div_ceil(most).max(1);
+    let max = (MAX_PAIRS / gaussians.len().max(1)).clamp(CAMERAS[0], CAMERAS[1]);
+    let every = cameras.len().div_ceil(max).max(1);
     let shades = |camera| Ok((camera, renderer.shades(uploaded, camera)?));
     let cameras = cameras.iter().step_by(every).map(shades).collect::<Result<Vec<_>>>()?;
     let splat = |gaussian: usize| {
@@ -247,7 +247,7 @@ fn first(
             let is_seen = camera.depth_in_image(place).is_some();
             let through = if is_seen { transmittance[gaussian] } else { 0.0 };
             largest = largest.max(through);
-            let weight = through + LEAST_WEIGHT[usize::from(!is_seen)];
+            let weight = through + MIN_WEIGHT[usize::from(!is_seen)];
             Sample { basis: harmonics(eye, position), color: colors[gaussian], weight }
         };
         let samples: Vec<_> = cameras.iter().map(sample).collect();

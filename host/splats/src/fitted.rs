@@ -15,12 +15,12 @@ pub const PHOTOGRAPHS: usize = 8;
 /// The longest side of their coarse images, in pixels.
 const SIDE: u32 = 64;
 /// Most Gaussians in a coarse image.
-const MOST_SPLATS: usize = 20_000;
+const MAX_SPLATS: usize = 20_000;
 /// The least share of the photographs' variance that Gaussians must explain more in other axes to be turned.
 const BETTER: f64 = 0.1;
 /// Gaussians that explain less do not belong to the photographs. Trained ones explain more than a half; moved to
 /// another place, a quarter at most.
-const LEAST: f64 = 0.3;
+const MIN_COVERAGE: f64 = 0.3;
 
 /// The part of a pixel from which on it counts as covered.
 const COVERED: f32 = 0.5;
@@ -87,9 +87,9 @@ struct Score {
 impl Score {
     fn new(splats: &[Splat], views: &[Coarse]) -> Self {
         let images: Vec<_> = views.iter().map(|view| view.shown(splats)).collect();
-        let share = |least: f32| {
+        let share = |min: f32| {
             let pairs = images.iter().zip(views);
-            let pairs = pairs.map(|(image, view)| variance(image, &view.colors, least));
+            let pairs = pairs.map(|(image, view)| variance(image, &view.colors, min));
             let [explained, all] =
                 pairs.fold([0.0; 2], |sum, pair| [sum[0] + pair[0], sum[1] + pair[1]]);
             if all > 0.0 { explained / all } else { 0.0 }
@@ -99,9 +99,9 @@ impl Score {
 }
 
 /// The variance of colors, summed over pixels and channels: the part that an image explains by a gain and an offset, and all.
-/// Pixels of which Gaussians cover less than `least` do not count.
-fn variance(image: &[([f32; 3], f32)], colors: &[Option<[f32; 3]>], least: f32) -> [f64; 2] {
-    let pairs = image.iter().zip(colors).filter(|((_, cover), _)| *cover >= least);
+/// Pixels of which Gaussians cover less than `min` do not count.
+fn variance(image: &[([f32; 3], f32)], colors: &[Option<[f32; 3]>], min: f32) -> [f64; 2] {
+    let pairs = image.iter().zip(colors).filter(|((_, cover), _)| *cover >= min);
     let pairs: Vec<_> = pairs.filter_map(|((found, _), color)| Some([*found, (*color)?])).collect();
     let mut sums = [0.0; 2];
     for channel in 0..3 {
@@ -144,7 +144,7 @@ impl SplatFile {
             best = other.filter(|other| other.1.whole > best.1.whole + BETTER).unwrap_or(best);
         }
         let (axes, Score { covered, .. }) = best;
-        if covered < LEAST {
+        if covered < MIN_COVERAGE {
             let axes = if self.is_placed { "" } else { ", in any of the usual axes" };
             return self.noted(format!(
                 "the photographs show something else where its Gaussians are{axes}; are the cameras, the origin and the scale \
@@ -193,7 +193,7 @@ impl SplatFile {
 
     /// Few Gaussians that are as large as all of them together.
     fn few(&self) -> Self {
-        let stride = self.splats.len().div_ceil(MOST_SPLATS).max(1);
+        let stride = self.splats.len().div_ceil(MAX_SPLATS).max(1);
         let larger = (stride as f32).sqrt().ln();
         let some = self.splats.iter().step_by(stride).copied();
         let splats =

@@ -47,9 +47,9 @@ impl Distilled {
     }
 }
 
-/// The Gaussians, at most `most`, and the PSNR before the first step.
-fn read(path: &Path, key: &str, most: usize) -> Option<(Vec<Splat>, f64)> {
-    let bytes = read_file(path, HEAD + (most * size_of::<Splat>()) as u64, "a fit").ok()?;
+/// The Gaussians, at most `max`, and the PSNR before the first step.
+fn read(path: &Path, key: &str, max: usize) -> Option<(Vec<Splat>, f64)> {
+    let bytes = read_file(path, HEAD + (max * size_of::<Splat>()) as u64, "a fit").ok()?;
     let end = bytes.iter().position(|&byte| byte == b'\n')?;
     let head = std::str::from_utf8(&bytes[..end]).ok()?;
     let first_psnr = head.strip_prefix(key)?.trim().parse().ok()?;

@@ -150,8 +150,8 @@ mod tests {
             {
                 let found = render(splats, &camera, [0.2; 3]);
                 let pairs = found.as_flattened().iter().zip(expected.as_flattened());
-                let most = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-                assert!(most < 2e-3, "{most}");
+                let largest = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+                assert!(largest < 2e-3, "{largest}");
             }
         }
     }
@@ -196,8 +196,8 @@ mod tests {
                     };
                     splats().iter().map(apart).fold(f32::INFINITY, f32::min)
                 };
-                let most = found.iter().map(near).fold(0.0, f32::max);
-                assert!(most < 6e-3, "{name}: {most}");
+                let largest = found.iter().map(near).fold(0.0, f32::max);
+                assert!(largest < 6e-3, "{name}: {largest}");
             }
         }
     }

@@ -15,14 +15,14 @@ const SIDE: usize = 16;
 /// Added to the diagonal of every projected covariance, as in viewers, in square pixels.
 pub(super) const BLUR: f32 = 0.3;
 /// Largest alpha of a Gaussian.
-pub(super) const MOST: f32 = 0.99;
+pub(super) const MAX_ALPHA: f32 = 0.99;
 /// Smallest alpha that counts.
-const LEAST: f32 = 1.0 / 255.0;
+const MIN_ALPHA: f32 = 1.0 / 255.0;
 /// Light at which a pixel is finished.
 const DARK: f32 = 1e-4;
 
 /// The Gaussians in the image of a camera.
-pub(super) struct View {
+pub(super) struct SortedView {
     pub camera: KernelCamera,
     size: [usize; 2],
     /// The Gaussians that the image can show, the nearest first.
@@ -38,7 +38,7 @@ pub(super) struct Placed {
     depth: f32,
     mean: Vec2,
     pub conic: Vec3,
-    /// Half the width and height of the area in which alpha is at least [`LEAST`].
+    /// Half the width and height of the area in which alpha is at least [`MIN_ALPHA`].
     extent: Vec2,
     /// Largest q of a pixel in that area.
     reach: f32,
@@ -52,12 +52,12 @@ impl Placed {
         let position = Vec3::from(splat.position);
         let rotation = Vec4::from(splat.rotation);
         let found = project_gaussian(camera, BLUR, position, rotation, splat.log_scale.into());
-        if found.radius < 0.0 || opacity < LEAST {
+        if found.radius < 0.0 || opacity < MIN_ALPHA {
             return None;
         }
         let basis = harmonics(camera.eye, splat.position);
         // opacity exp(-q / 2) = 1/255
-        let reach = 2.0 * (opacity / LEAST).ln();
+        let reach = 2.0 * (opacity / MIN_ALPHA).ln();
         Some(Self {
             gaussian: gaussian as u32,
             depth: camera.to_camera(position).z,
@@ -79,7 +79,7 @@ impl Placed {
     }
 }
 
-impl View {
+impl SortedView {
     pub fn new(splats: &[Splat], camera: &Camera) -> Self {
         let size = [camera.width as usize, camera.height as usize];
         let camera = camera.for_kernels();
@@ -120,7 +120,8 @@ impl View {
 
     /// The Gaussians of a tile, and its pixels: column, row and index in the image.
     pub fn tile(&self, tile: usize) -> (Vec<Placed>, impl Iterator<Item = (f32, f32, usize)>) {
-        let members = self.tiles[tile].iter().map(|&index| self.placed[index as usize]).collect();
+        let intersections =
+            self.tiles[tile].iter().map(|&index| self.placed[index as usize]).collect();
         let [width, height] = self.size;
         let columns = width.div_ceil(SIDE);
         let left = tile % columns * SIDE;
@@ -129,7 +130,7 @@ impl View {
             let pixel = move |x: usize| (x as f32 + 0.5, y as f32 + 0.5, y * width + x);
             (left..(left + SIDE).min(width)).map(pixel)
         };
-        (members, (top..(top + SIDE).min(height)).flat_map(row))
+        (intersections, (top..(top + SIDE).min(height)).flat_map(row))
     }
 }
 
@@ -137,8 +138,8 @@ impl View {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hit {
     /// Index among the tile's Gaussians.
-    pub member: usize,
-    /// Alpha before it is clamped to [`MOST`].
+    pub intersection: usize,
+    /// Alpha before it is clamped to [`MAX_ALPHA`].
     pub alpha: f32,
     pub offset: Vec2,
     /// Light left by the Gaussians in front.
@@ -148,7 +149,7 @@ pub(super) struct Hit {
 /// The color of a pixel: `sum light_i alpha_i c_i + light b`, where `light_i = prod (1 - alpha_j)` over the Gaussians
 /// in front.
 pub(super) fn blend(
-    members: &[Placed],
+    intersections: &[Placed],
     x: f32,
     y: f32,
     background: [f32; 3],
@@ -157,10 +158,10 @@ pub(super) fn blend(
     hits.clear();
     let mut color = [0.0; 3];
     let mut light = 1.0;
-    for (member, placed) in members.iter().enumerate() {
+    for (intersection, placed) in intersections.iter().enumerate() {
         let Some((alpha, offset)) = placed.alpha(x, y) else { continue };
-        hits.push(Hit { member, alpha, offset, light });
-        let alpha = alpha.min(MOST);
+        hits.push(Hit { intersection, alpha, offset, light });
+        let alpha = alpha.min(MAX_ALPHA);
         for (sum, channel) in color.iter_mut().zip(placed.color) {
             *sum += light * alpha * channel;
         }
@@ -178,13 +179,13 @@ pub(super) fn blend(
 /// The image of some Gaussians, row by row. Values are not clamped to 0 to 1.
 #[must_use]
 pub fn render(splats: &[Splat], camera: &Camera, background: [f32; 3]) -> Vec<[f32; 3]> {
-    let view = View::new(splats, camera);
+    let view = SortedView::new(splats, camera);
     let tiles: Vec<_> = (0..view.tiles.len())
         .into_par_iter()
         .map(|tile| {
-            let (members, pixels) = view.tile(tile);
+            let (intersections, pixels) = view.tile(tile);
             let mut hits = Vec::new();
-            let pixel = |(x, y, at)| (at, blend(&members, x, y, background, &mut hits));
+            let pixel = |(x, y, at)| (at, blend(&intersections, x, y, background, &mut hits));
             pixels.map(pixel).collect::<Vec<_>>()
         })
         .collect();

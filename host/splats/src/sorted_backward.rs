@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::Splat;
 use super::harmonics::{HARMONICS, harmonics};
-use super::sorted::{BLUR, Hit, MOST, Placed, View, blend};
+use super::sorted::{BLUR, Hit, MAX_ALPHA, Placed, SortedView, blend};
 use organza_core::camera::Camera;
 
 /// Derivatives of a loss with respect to a Gaussian in an image.
@@ -40,26 +40,26 @@ pub(super) fn gradient(
     background: [f32; 3],
     truth: &[[f32; 3]],
 ) -> Vec<(u32, Splat)> {
-    let view = View::new(splats, camera);
+    let view = SortedView::new(splats, camera);
     let scale = 2.0 / (3 * view.pixels()) as f32;
     let tiles: Vec<_> = (0..view.tiles.len())
         .into_par_iter()
         .map(|tile| {
-            let (members, pixels) = view.tile(tile);
-            let mut slopes = vec![Slope::default(); members.len()];
+            let (intersections, pixels) = view.tile(tile);
+            let mut slopes = vec![Slope::default(); intersections.len()];
             let mut hits = Vec::new();
             for (x, y, at) in pixels {
-                let color = blend(&members, x, y, background, &mut hits);
+                let color = blend(&intersections, x, y, background, &mut hits);
                 let by_color = std::array::from_fn(|i| scale * (color[i] - truth[at][i]));
-                blend_backward(&members, &hits, by_color, background, &mut slopes);
+                blend_backward(&intersections, &hits, by_color, background, &mut slopes);
             }
             slopes
         })
         .collect();
     // tile after tile, so that sums have a fixed order
     let mut sums = vec![Slope::default(); view.placed.len()];
-    for (slopes, members) in tiles.iter().zip(&view.tiles) {
-        for (slope, &index) in slopes.iter().zip(members) {
+    for (slopes, intersections) in tiles.iter().zip(&view.tiles) {
+        for (slope, &index) in slopes.iter().zip(intersections) {
             sums[index as usize].add(slope);
         }
     }
@@ -73,7 +73,7 @@ pub(super) fn gradient(
 /// The derivative of [`blend`]: adds a pixel's part to the derivatives of its Gaussians. `by_color` is the derivative
 /// by the pixel's color.
 fn blend_backward(
-    members: &[Placed],
+    intersections: &[Placed],
     hits: &[Hit],
     by_color: [f32; 3],
     background: [f32; 3],
@@ -82,18 +82,18 @@ fn blend_backward(
     let dot = |a: [f32; 3]| a.iter().zip(by_color).map(|(a, by)| a * by).sum::<f32>();
     let Some(last) = hits.last() else { return };
     // contribution of everything behind to the loss's derivative, from the last Gaussian to the first
-    let mut behind = last.light * (1.0 - last.alpha.min(MOST)) * dot(background);
+    let mut behind = last.light * (1.0 - last.alpha.min(MAX_ALPHA)) * dot(background);
     for hit in hits.iter().rev() {
-        let placed = &members[hit.member];
-        let slope = &mut slopes[hit.member];
-        let alpha = hit.alpha.min(MOST);
+        let placed = &intersections[hit.intersection];
+        let slope = &mut slopes[hit.intersection];
+        let alpha = hit.alpha.min(MAX_ALPHA);
         let shade = dot(placed.color);
         for (sum, by) in slope.color.iter_mut().zip(by_color) {
             *sum += by * hit.light * alpha;
         }
         let by_alpha = hit.light * shade - behind / (1.0 - alpha);
         behind += hit.light * alpha * shade;
-        if hit.alpha < MOST {
+        if hit.alpha < MAX_ALPHA {
             slope.opacity += by_alpha * alpha / placed.opacity;
             // alpha = opacity exp(-q / 2), q = d^T conic d, d the offset from the center
             let by_q = -0.5 * by_alpha * alpha;
@@ -178,7 +178,7 @@ mod tests {
         let largest = gradient
             .iter()
             .flat_map(|(_, splat)| bytemuck::cast_ref::<_, [f32; VALUES]>(splat))
-            .fold(0.0, |most: f32, value| most.max(value.abs()));
+            .fold(0.0, |largest: f32, value| largest.max(value.abs()));
         for (gaussian, slope) in &gradient {
             let slope: &[f32; VALUES] = bytemuck::cast_ref(slope);
             // a color also depends on the position, through its direction, but that is ignored

@@ -176,7 +176,7 @@ fn text(benchmark: &Benchmark) -> String {
         format!("{0} of {1} x {1}", count(benchmark.tiles as u64, "tile"), benchmark.side),
         count(report.parts as u64, "part"),
         count(report.pairs, "pair"),
-        count(report.members, "member"),
+        count(report.intersections, "intersection"),
         count(report.samples, "sample"),
     ];
     let mut text = format!("{}\n{}\n\n", benchmark.device, batch.join(", "));

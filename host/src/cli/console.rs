@@ -280,13 +280,13 @@ fn is_mark(c: char) -> bool {
 }
 
 /// The beginning and the end of a text that is too long.
-fn shortened(text: &str, most: usize) -> String {
+fn shortened(text: &str, max: usize) -> String {
     let length = text.chars().count();
-    if length <= most {
+    if length <= max {
         return text.to_owned();
     }
-    let begin = most * 2 / 3;
-    let end = most / 3;
+    let begin = max * 2 / 3;
+    let end = max / 3;
     let first: String = text.chars().take(begin).collect();
     let last: String = text.chars().skip(length - end).collect();
     format!("{first} ... {last}")

@@ -23,11 +23,11 @@ const HAZE: f64 = 0.9;
 
 const EXAMPLES: &str = "\
 Examples:
-  organza edit run -o small.safetensors --least-contribution      without what no photograph shows
+  organza edit run -o small.safetensors --min-contribution      without what no photograph shows
   organza edit run -o clean.safetensors --haze --keep-largest
   organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
   organza edit run -o rest.safetensors --sphere 0,0,1,0.5 --outside
-  organza edit scene.safetensors data/fox -o small.safetensors --least-contribution=0.5
+  organza edit scene.safetensors data/fox -o small.safetensors --min-contribution=0.5
   organza edit run -o in-meters.safetensors --measured 0,0,0,1.2,0,0.4,0.25    two points, 25 cm apart
 
 The rules apply in this order: box and sphere, contribution, haze, cluster. Contribution and haze are measured once, in \
@@ -56,9 +56,10 @@ pub struct Args {
     outside: bool,
     /// Remove Gaussians that contribute no more than this to all views together, in pixels. With 0, the views stay as
     /// they are, to the bit
-    #[arg(long, value_name = "PIXELS", num_args = 0..=1, require_equals = true)]
+    #[arg(long, alias = "least-contribution", value_name = "PIXELS", num_args = 0..=1)]
+    #[arg(require_equals = true)]
     #[arg(default_missing_value = "0", value_parser = number_in(0.0.., "pixels, 0 or more"))]
-    least_contribution: Option<f64>,
+    min_contribution: Option<f64>,
     /// Remove haze: Gaussians that are mostly in front of surfaces and that at most VIEWS views see [default: a
     /// tenth of the views, but 3 at least]
     #[arg(long, value_name = "VIEWS", num_args = 0..=1, require_equals = true)]
@@ -137,7 +138,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     // before any view is rendered, so that a box beside the scene costs no time
     let mut edited = scene.clone();
     let mut removed = args.crop(&mut edited)?;
-    let cameras = match args.least_contribution.is_some() || args.haze.is_some() {
+    let cameras = match args.min_contribution.is_some() || args.haze.is_some() {
         true => Cameras::load(&source, args.data.as_deref(), &args.data_args, USAGE, console)?.list,
         false => Vec::new(),
     };
@@ -174,13 +175,13 @@ impl Args {
             return refuse("`--outside` needs `--box` or `--sphere`");
         }
         let has_rule =
-            self.least_contribution.is_some() || self.haze.is_some() || self.keep_largest.is_some();
+            self.min_contribution.is_some() || self.haze.is_some() || self.keep_largest.is_some();
         let has_scale = self.scale.is_some() || self.measured.is_some();
         if has_region || has_rule || has_scale {
             return Ok(());
         }
         refuse(
-            "there is nothing to do: give `--box`, `--sphere`, `--least-contribution`, `--haze`, `--keep-largest`, \
+            "there is nothing to do: give `--box`, `--sphere`, `--min-contribution`, `--haze`, `--keep-largest`, \
              `--scale` or `--measured`",
         )
     }
@@ -241,20 +242,20 @@ impl Args {
         drop(bar);
         // indices of the Gaussians that are left
         let mut left: Vec<_> = (0..scene.gaussians.len()).collect();
-        if let Some(least) = self.least_contribution {
+        if let Some(min) = self.min_contribution {
             // a Gaussian that contributes NaN is visible, so it stays
-            let is_removed = |i: usize| found.pixels(i) <= least;
-            let rule = match least {
+            let is_removed = |i: usize| found.pixels(i) <= min;
+            let rule = match min {
                 0.0 => "in no view".to_owned(),
-                least => format!("{least} pixels or less in all views"),
+                min => format!("{min} pixels or less in all views"),
             };
             removed.push(keep(scene, rule, |i, _| !is_removed(i))?);
             left.retain(|&i| !is_removed(i));
         }
-        if let Some(most) = self.haze {
-            let most = most.unwrap_or_else(|| (0.1 * cameras.len() as f64).round().max(3.0));
-            let is_haze = |i: usize| found.in_front(i) >= HAZE && found.views(i) <= most;
-            let rule = format!("haze, seen by {most} views or fewer");
+        if let Some(max) = self.haze {
+            let max = max.unwrap_or_else(|| (0.1 * cameras.len() as f64).round().max(3.0));
+            let is_haze = |i: usize| found.in_front(i) >= HAZE && found.views(i) <= max;
+            let rule = format!("haze, seen by {max} views or fewer");
             removed.push(keep(scene, rule, |i, _| !is_haze(left[i]))?);
         }
         Ok(())

@@ -245,12 +245,12 @@ const PIXELS: u32 = 1024;
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Summary {
-    views: Vec<View>,
+    views: Vec<ViewSummary>,
     mean: Leakage,
 }
 
 #[derive(Debug, Serialize)]
-struct View {
+struct ViewSummary {
     view: usize,
     name: Option<String>,
     #[serde(flatten)]
@@ -270,7 +270,7 @@ fn summarize(
     let measure = |(done, &view): (usize, &usize)| {
         let leakage = renderer.leakage(scene, cameras, view, PIXELS)?;
         bar.set_of(done + 1, views.len());
-        Ok(View { view, name: cameras[view].file_path.clone(), leakage })
+        Ok(ViewSummary { view, name: cameras[view].file_path.clone(), leakage })
     };
     let views = views.iter().enumerate().map(measure).collect::<Result<Vec<_>>>()?;
     drop(bar);
@@ -287,7 +287,7 @@ fn summary_text(summary: &Summary) -> String {
             view.to_owned(),
             name.to_owned(),
             leakage.pixels.to_string(),
-            format!("{:.1}", leakage.members),
+            format!("{:.1}", leakage.gaussians),
             percent(leakage.behind),
             percent(leakage.in_front),
             percent(leakage.open),

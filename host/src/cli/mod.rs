@@ -195,9 +195,9 @@ fn remember_panics() {
 fn size(text: &str, sides: RangeInclusive<u32>) -> Result<[u32; 2], String> {
     let side = |text: &str| text.trim().parse().ok().filter(|side| sides.contains(side));
     let size = text.split_once('x').and_then(|(w, h)| Some([side(w)?, side(h)?]));
-    let least = sides.start();
-    let most = sides.end();
-    size.ok_or_else(|| format!("expected pixels such as 1280x720, each side {least} to {most}"))
+    let min = sides.start();
+    let max = sides.end();
+    size.ok_or_else(|| format!("expected pixels such as 1280x720, each side {min} to {max}"))
 }
 
 /// [`size`] of an image.

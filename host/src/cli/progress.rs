@@ -20,7 +20,7 @@ pub struct TrainingProgress {
     bar: Progress,
     steps: u32,
     /// Whether the number of steps is an estimate, which a run with `--minutes` changes as it goes.
-    is_planned: bool,
+    is_scheduled: bool,
     time_limit: Option<f64>,
     pace: Pace,
     lines: Lines,
@@ -41,7 +41,7 @@ impl TrainingProgress {
             console,
             bar,
             steps,
-            is_planned: false,
+            is_scheduled: false,
             time_limit,
             pace: Pace::default(),
             lines: Lines::default(),
@@ -67,9 +67,9 @@ impl TrainingProgress {
             Event::Changed(Change { name, from, to, .. }) => {
                 self.bar.note(self.console, &format!("{name} is {to} from here on; it was {from}"));
             }
-            Event::Planned(steps) => {
+            Event::Scheduled(steps) => {
                 self.steps = *steps;
-                self.is_planned = true;
+                self.is_scheduled = true;
                 self.bar.set_length(*steps as usize);
             }
             Event::Step { step, seconds, report, gaussians, .. } => {
@@ -116,7 +116,7 @@ impl TrainingProgress {
         self.console.note(&format!(
             "step {} of {}{}: {}, {}{speed}{}",
             grouped(self.step.into()),
-            if self.is_planned { "about " } else { "" },
+            if self.is_scheduled { "about " } else { "" },
             grouped(self.steps.into()),
             error(loss, psnr),
             self.gaussian_count(),

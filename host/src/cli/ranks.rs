@@ -35,7 +35,7 @@ enum Launch {
 }
 
 /// Largest number of threads. More are a mistake: each holds the whole scene.
-const MOST_THREADS: usize = 64;
+const MAX_THREADS: usize = 64;
 
 impl FromStr for Launch {
     type Err = String;
@@ -43,16 +43,16 @@ impl FromStr for Launch {
     fn from_str(text: &str) -> Result<Self, String> {
         match text.parse() {
             _ if text == "mpi" => Ok(Self::Mpi),
-            Ok(threads) if (1..=MOST_THREADS).contains(&threads) => Ok(Self::Threads(threads)),
-            _ => Err(format!("expected a number of threads, 1 to {MOST_THREADS}, or `mpi`")),
+            Ok(threads) if (1..=MAX_THREADS).contains(&threads) => Ok(Self::Threads(threads)),
+            _ => Err(format!("expected a number of threads, 1 to {MAX_THREADS}, or `mpi`")),
         }
     }
 }
 
 impl RanksArgs {
     /// Starts the ranks; `None` without `--ranks`.
-    pub fn start(&self) -> Result<Option<Team>> {
-        self.ranks.map(|kind| Team::start(kind, self.mixed)).transpose()
+    pub fn start(&self) -> Result<Option<RankGroup>> {
+        self.ranks.map(|kind| RankGroup::start(kind, self.mixed)).transpose()
     }
 }
 
@@ -70,7 +70,7 @@ fn start_mpi() -> Result<Arc<dyn Ranks>> {
 
 /// The ranks, from the point of view of one of them.
 #[derive(Debug)]
-pub struct Team {
+pub struct RankGroup {
     /// The rank of this process, or of its first thread.
     pub mine: Arc<dyn Ranks>,
     /// The ranks of the other threads.
@@ -79,7 +79,7 @@ pub struct Team {
     pub is_mpi: bool,
 }
 
-impl Team {
+impl RankGroup {
     fn start(kind: Launch, mixed: bool) -> Result<Self> {
         match kind {
             Launch::Threads(size) => {

@@ -166,7 +166,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         let images = views.iter().zip(&files).map(image).collect();
         let folder = text_of(&args.output);
         let rendered = rendered.len();
-        return print_json(&Rendered { folder, images, rendered, cost });
+        return print_json(&RenderOutput { folder, images, rendered, cost });
     }
     Ok(())
 }
@@ -188,7 +188,7 @@ fn wrote(names: &[&PathBuf], output: &Path) -> String {
 
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
-struct Rendered {
+struct RenderOutput {
     folder: String,
     images: Vec<Picture>,
     /// Number of views that this call rendered. Earlier calls rendered the others.

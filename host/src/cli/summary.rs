@@ -59,7 +59,7 @@ impl Summary {
             "{}, {}, {}, {}; {} culled as degenerate",
             count(report.parts as u64, "part"),
             count(report.pairs, "pair"),
-            count(report.members, "member"),
+            count(report.intersections, "intersection"),
             count(report.samples, "sample"),
             count(report.degenerate, "pair"),
         ));

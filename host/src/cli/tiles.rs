@@ -138,14 +138,14 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.json {
         let file = args.output.as_deref().map(text_of);
         let gradient = args.grad.as_deref().map(text_of);
-        return print_json(&Rendered { file, shape: batch.output_shape(), gradient, cost });
+        return print_json(&TilesOutput { file, shape: batch.output_shape(), gradient, cost });
     }
     Ok(())
 }
 
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
-struct Rendered {
+struct TilesOutput {
     file: Option<String>,
     shape: [usize; 4],
     gradient: Option<String>,

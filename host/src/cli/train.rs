@@ -25,7 +25,7 @@ use super::device::DeviceArgs;
 use super::inputs::{DataSet, check_place};
 use super::output::Folder;
 use super::progress::TrainingProgress;
-use super::ranks::{RanksArgs, Team, follow_thread, of_many};
+use super::ranks::{RankGroup, RanksArgs, follow_thread, of_many};
 use super::signals::Signals;
 use super::view::ServerArgs;
 use super::{absolute, capture, number_in, refuse, text_of, title};
@@ -39,7 +39,7 @@ Examples:
   organza train --resume run --steps 5000              extends a run, also one that is finished
   organza train data/fox -o quick --preset fast
   organza train data/fox -o other --config run/config.toml --seed 1
-  organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.end=0
+  organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set densification.end=0
   organza train data/fox -o run --refine-poses         poses of a phone, off by some pixels
   organza train data/fox -o run --view                 look at it while it trains
   organza train data/fox -o run --start scene.ply      from Gaussians that another program has made
@@ -197,20 +197,20 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.print_config {
         let config = match &args.resume {
             Some(folder) => args.settings.resumed(folder)?,
-            None => args.settings.settings(args.data.as_deref())?.0,
+            None => args.settings.settings(args.data.as_deref(), console)?.0,
         };
         return if args.json { print_json(&config) } else { print(&config.to_toml()) };
     }
     if !args.view && args.server.is_given() {
         return refuse("`--port`, `--bind` and `--open` are for the page of `--view`");
     }
-    let Some(team) = args.ranks.start()? else { return lead(args, None, console) };
-    if team.mine.rank() > 0 {
-        return team.follow_process(&args.device);
+    let Some(group) = args.ranks.start()? else { return lead(args, None, console) };
+    if group.mine.rank() > 0 {
+        return group.follow_process(&args.device);
     }
     // threads end when rank 0 is gone, but processes need a message
-    let processes = team.is_mpi.then(|| team.mine.clone());
-    lead(args, Some(team), console).inspect_err(|error| {
+    let processes = group.is_mpi.then(|| group.mine.clone());
+    lead(args, Some(group), console).inspect_err(|error| {
         if let Some(processes) = processes {
             processes.fail(&error::chain(error));
         }
@@ -218,16 +218,16 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 }
 
 /// Trains as the first rank, or alone.
-fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
+fn lead(args: &Args, group: Option<RankGroup>, console: Console) -> Result<()> {
     let signals = Signals::listen()?;
     let (folder, config, shrinks) = prepare(args, &signals, console)?;
-    let planned = args.settings.planned();
+    let scheduled = args.settings.scheduled();
     let time_limit = args.time_limit.map(f64::from);
     let share = f64::from(args.view_share) / 100.0;
     let view = args.view.then_some((&args.server, share));
     let resume = args.resume.is_some();
     let job =
-        TrainJob { config, folder: &folder, resume, shrinks, planned, time_limit, view, team };
+        TrainJob { config, folder: &folder, resume, shrinks, scheduled, time_limit, view, group };
     let mut ended = Ended::default();
     let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event));
     let outcome = outcome.map_err(|error| with_resume(error, &folder))?;
@@ -319,14 +319,14 @@ pub struct TrainJob<'a> {
     pub resume: bool,
     /// Whether photographs shrink if the run would not draw all of their pixels.
     pub shrinks: bool,
-    /// See [`Session::planned`].
-    pub planned: Option<f64>,
+    /// See [`Session::scheduled`].
+    pub scheduled: Option<f64>,
     /// See [`Session::time_limit`].
     pub time_limit: Option<f64>,
     /// The page's address, and the part of the time that its images may take.
     pub view: Option<(&'a ServerArgs, f64)>,
     /// The ranks that share the run, if this is the first of them.
-    pub team: Option<Team>,
+    pub group: Option<RankGroup>,
 }
 
 impl TrainJob<'_> {
@@ -347,7 +347,7 @@ impl TrainJob<'_> {
     ) -> Result<Outcome> {
         let mut config = self.config.clone();
         config.check_memory()?;
-        let team = self.team.take();
+        let group = self.group.take();
         let placement = self.placement()?;
         let mut data = DataSet::open(config.data.clone(), placement, console)?;
         // a run that has begun may go on
@@ -358,19 +358,20 @@ impl TrainJob<'_> {
         // until there is something in the folder
         let made = Folder::make(self.folder)?;
         let folder = signals.lock_run(&made, self.resume);
-        let folder = folder.map_err(|error| if team.is_none() { of_many(error) } else { error })?;
+        let folder =
+            folder.map_err(|error| if group.is_none() { of_many(error) } else { error })?;
         let options = device.options()?;
-        let of_rank = |rank| match &team {
-            Some(team) => team.places().device(options.clone(), rank),
+        let of_rank = |rank| match &group {
+            Some(group) => group.places().device(options.clone(), rank),
             None => options.clone(),
         };
         let renderer = device.open_as(&of_rank(0), console)?;
         if self.shrinks {
-            let steps = self.planned.map(|seconds| seconds * pixels_per_second(&renderer));
+            let steps = self.scheduled.map(|seconds| seconds * pixels_per_second(&renderer));
             config.data.downscale = data.shrink(steps.unwrap_or(config.run.pixels()), console)?;
         }
-        if let Some(team) = &team {
-            team.tell(&config, placement)?;
+        if let Some(group) = &group {
+            group.tell(&config, placement)?;
         }
         let dataset = Arc::new(data.read(&renderer, console)?);
         let measures_exposures = !self.resume && config.exposure.learn == LearnExposure::Auto;
@@ -379,14 +380,14 @@ impl TrainJob<'_> {
             say_exposures(&dataset, config.exposure.learn, console);
         }
         let of_others: Vec<_> =
-            team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
-        let (mine, others, mixed) = match team {
-            Some(Team { mine, others, mixed, .. }) => (Some(mine), others, mixed),
+            group.iter().flat_map(|group| 1..=group.others.len()).map(of_rank).collect();
+        let (mine, others, mixed) = match group {
+            Some(RankGroup { mine, others, mixed, .. }) => (Some(mine), others, mixed),
             None => (None, Vec::new(), false),
         };
         let mut session = Session::new(&renderer, &config, &dataset, &folder);
         session.time_limit = self.time_limit;
-        session.planned = self.planned;
+        session.scheduled = self.scheduled;
         session.command = command_line();
         session.stop = signals.stop();
         session.ranks = mine;
@@ -479,7 +480,7 @@ fn prepare(
         return Ok((folder.clone(), config, false));
     }
     let folder = args.output.clone().expect("clap requires it");
-    let (mut config, shrinks) = args.settings.settings(args.data.as_deref())?;
+    let (mut config, shrinks) = args.settings.settings(args.data.as_deref(), console)?;
     if let Some(source) = config.data.path.take_if(|path| capture::is_source(path)) {
         if folder.join(CONFIG).exists() {
             let folder = folder.display();
@@ -508,7 +509,7 @@ impl SettingsArgs {
     }
 
     /// The settings to train on a data set, or on the built-in scene, and whether they leave the size of photographs open.
-    fn settings(&self, data: Option<&Path>) -> Result<(TrainConfig, bool)> {
+    fn settings(&self, data: Option<&Path>, console: Console) -> Result<(TrainConfig, bool)> {
         let named = self.preset.as_deref();
         let preset = match Preset::ALL.into_iter().find(|preset| Some(preset.name()) == named) {
             Some(preset) => preset,
@@ -520,10 +521,11 @@ impl SettingsArgs {
             builder = builder.file(path)?;
         }
         builder = self.adjusted(builder)?;
-        if self.options.get("growth.max_gaussians").is_some() {
+        if self.options.get("densification.max_gaussians").is_some() {
             builder = builder.limit_start()?;
         }
         let shrinks = !builder.has("data", "downscale");
+        builder.notes().iter().for_each(|note| console.note(note));
         let mut config = builder.build()?;
         if let Some(data) = data {
             config.data.path = Some(data.to_owned());
@@ -542,7 +544,7 @@ impl SettingsArgs {
             builder = builder.set(assignment)?;
         }
         if self.options.get("run.steps").is_some() || self.minutes.is_some() {
-            builder = builder.set("run.plan=")?;
+            builder = builder.set("run.schedule=")?;
         }
         for (name, value) in &self.options.given {
             builder = builder.set(&format!("{name}={value}"))?;
@@ -551,7 +553,7 @@ impl SettingsArgs {
     }
 
     /// Seconds that the run should take, if its number of steps is to be chosen.
-    pub fn planned(&self) -> Option<f64> {
+    pub fn scheduled(&self) -> Option<f64> {
         self.minutes.map(|minutes| 60.0 * minutes)
     }
 }

@@ -72,7 +72,7 @@ impl MpiRanks {
     }
 
     /// Most bytes per rank in one round.
-    fn most(&self) -> usize {
+    fn max_bytes(&self) -> usize {
         (AT_ONCE / self.size).max(1)
     }
 
@@ -136,13 +136,13 @@ impl Ranks for MpiRanks {
     fn gather(&self, mine: Vec<u8>) -> Result<Vec<Vec<u8>>> {
         self.count(mine.len());
         let calls = self.calls();
-        let most = self.most();
+        let max_bytes = self.max_bytes();
         let mut lengths = vec![0_u64; self.size];
         calls.world.all_gather_into(&(mine.len() as u64), &mut lengths[..]);
         let lengths: Vec<_> = lengths.iter().map(|&length| length as usize).collect();
         let longest = lengths.iter().copied().max().unwrap_or(0);
-        receive(&lengths, longest, most, |begin, counts| {
-            let mine = addressed(part(&mine, begin, most));
+        receive(&lengths, longest, max_bytes, |begin, counts| {
+            let mine = addressed(part(&mine, begin, max_bytes));
             let mut all = room(counts);
             let (counts, begins) = layout(counts);
             let mut parts = PartitionMut::new(&mut all[..], &counts[..], &begins[..]);
@@ -154,7 +154,7 @@ impl Ranks for MpiRanks {
     fn exchange(&self, for_each: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>> {
         self.count(for_each.iter().map(Vec::len).sum());
         let calls = self.calls();
-        let most = self.most();
+        let max_bytes = self.max_bytes();
         let sent: Vec<_> = for_each.iter().map(|bytes| bytes.len() as u64).collect();
         let mut lengths = vec![0_u64; self.size];
         calls.world.all_to_all_into(&sent[..], &mut lengths[..]);
@@ -162,8 +162,9 @@ impl Ranks for MpiRanks {
         let mine = lengths.iter().copied().max().unwrap_or(0);
         calls.world.all_reduce_into(&mine, &mut longest, SystemOperation::max());
         let lengths: Vec<_> = lengths.iter().map(|&length| length as usize).collect();
-        receive(&lengths, longest as usize, most, |begin, counts| {
-            let parts: Vec<_> = for_each.iter().map(|bytes| part(bytes, begin, most)).collect();
+        receive(&lengths, longest as usize, max_bytes, |begin, counts| {
+            let parts: Vec<_> =
+                for_each.iter().map(|bytes| part(bytes, begin, max_bytes)).collect();
             let mine = parts.concat();
             let (sent, sent_begins) =
                 layout(&parts.iter().map(|part| part.len()).collect::<Vec<_>>());

@@ -2,24 +2,24 @@
 
 use crate::Result;
 
-/// The part of a message that is sent in the round that starts at byte `begin`: at most `most` bytes.
-pub fn part(bytes: &[u8], begin: usize, most: usize) -> &[u8] {
-    &bytes[begin.min(bytes.len())..begin.saturating_add(most).min(bytes.len())]
+/// The part of a message that is sent in the round that starts at byte `begin`: at most `max` bytes.
+pub fn part(bytes: &[u8], begin: usize, max: usize) -> &[u8] {
+    &bytes[begin.min(bytes.len())..begin.saturating_add(max).min(bytes.len())]
 }
 
-/// Receives messages of known lengths, in rounds of at most `most` bytes each. `longest` is the longest message that
+/// Receives messages of known lengths, in rounds of at most `max` bytes each. `longest` is the longest message that
 /// any rank receives, so that all ranks take the same number of rounds. `round` is called with the byte where a round
 /// begins and the number of bytes from each rank. It returns these bytes, one rank after the other.
 pub fn receive(
     lengths: &[usize],
     longest: usize,
-    most: usize,
+    max: usize,
     mut round: impl FnMut(usize, &[usize]) -> Result<Vec<u8>>,
 ) -> Result<Vec<Vec<u8>>> {
     let mut messages: Vec<_> = lengths.iter().map(|&length| Vec::with_capacity(length)).collect();
-    for begin in (0..longest).step_by(most) {
+    for begin in (0..longest).step_by(max) {
         let counts: Vec<_> =
-            lengths.iter().map(|length| length.saturating_sub(begin).min(most)).collect();
+            lengths.iter().map(|length| length.saturating_sub(begin).min(max)).collect();
         let all = round(begin, &counts)?;
         let mut rest = &all[..];
         for (message, &count) in messages.iter_mut().zip(&counts) {

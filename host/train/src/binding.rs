@@ -19,8 +19,8 @@ pub(super) const BINDING: &str = "run";
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// Settings that may differ freely: the place of the data.
 const FREE: [&str; 2] = ["data.path", "data.keep"];
-/// Settings that a plan changes, also after the run's last checkpoint.
-const PLANNED: [&str; 2] = ["run.plan", "run.steps"];
+/// Settings that a schedule changes, also after the run's last checkpoint.
+const SCHEDULED: [&str; 2] = ["run.schedule", "run.steps"];
 /// Printed for a setting that is missing.
 const NOT_SET: &str = "not set";
 
@@ -28,8 +28,8 @@ const NOT_SET: &str = "not set";
 /// writes something.
 pub const CHANGEABLE: [&str; 6] = [
     "run.steps",
-    "run.plan",
-    "growth.max_gaussians",
+    "run.schedule",
+    "densification.max_gaussians",
     "run.evaluate_every",
     "run.checkpoint_every",
     "run.log_every",
@@ -118,10 +118,11 @@ impl Binding {
                  all steps of the run, so choose more than that"
             ));
         }
-        let now_plan = &config.run.plan;
-        let then_plan = &then.run.plan;
-        // a plan that was made after the checkpoint, before the run was killed
-        let continues = now_plan.len() > then_plan.len() && now_plan.starts_with(then_plan);
+        let now_schedule = &config.run.schedule;
+        let then_schedule = &then.run.schedule;
+        // a schedule that was made after the checkpoint, before the run was killed
+        let continues =
+            now_schedule.len() > then_schedule.len() && now_schedule.starts_with(then_schedule);
         let now = config.list();
         let then = then.list();
         let mut changes = Vec::new();
@@ -130,9 +131,9 @@ impl Binding {
             let then = value(&then, name);
             // a data set may move, but the built-in scene is a different data set
             let is_free = FREE.contains(&name.as_str()) && now != NOT_SET && then != NOT_SET;
-            let is_planned = continues && PLANNED.contains(&name.as_str());
+            let is_scheduled = continues && SCHEDULED.contains(&name.as_str());
             let is_known = || changes.iter().any(|change: &Change| change.name == *name);
-            if now == then || is_free || is_planned || is_known() {
+            if now == then || is_free || is_scheduled || is_known() {
                 continue;
             }
             if !CHANGEABLE.contains(&name.as_str()) {

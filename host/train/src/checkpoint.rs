@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 
 /// Prefixes of the names of Adam's moments.
 const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
-/// `[N, 4]`: the statistics for growth, added up since it last ran.
+/// `[N, 4]`: the statistics for densification, added up since it last ran.
 const STATISTICS: &str = "train.statistics";
 /// Names of the tensors of exposures, after their prefixes.
 const EXPOSURE: &str = "exposure";

@@ -12,7 +12,7 @@ use std::path::Path;
 pub use assignment::defaults;
 pub use builder::{ConfigBuilder, Preset};
 pub use table::{
-    AblationConfig, DataConfig, ExposureConfig, GrowthConfig, LossConfig, OptimizerConfig,
+    AblationConfig, DataConfig, DensificationConfig, ExposureConfig, LossConfig, OptimizerConfig,
     PosesConfig, Rate, RunConfig, SETTINGS, Setting, ShapeConfig, StartConfig, TrainConfig,
 };
 
@@ -52,9 +52,9 @@ impl RunConfig {
             .product()
     }
 
-    /// The part of the run that is done before `step`, 0 to 1. Learning rates and growth follow it.
+    /// The part of the run that is done before `step`, 0 to 1. Learning rates and densification follow it.
     ///
-    /// Each entry of the plan spreads the rest of the run evenly over the remaining steps.
+    /// Each entry of the schedule spreads the rest of the run evenly over the remaining steps.
     #[must_use]
     pub fn fraction(&self, step: u32) -> f64 {
         let mut from = 0;
@@ -63,21 +63,21 @@ impl RunConfig {
         let part = |from: u32, to: u32, steps: u32| {
             f64::from(to - from) / f64::from(steps.saturating_sub(from).max(1))
         };
-        for &[at, planned] in self.plan.iter().filter(|entry| entry[0] <= step) {
+        for &[at, scheduled] in self.schedule.iter().filter(|entry| entry[0] <= step) {
             done += (1.0 - done) * part(from, at, steps);
             from = at;
-            steps = planned;
+            steps = scheduled;
         }
         (done + (1.0 - done) * part(from, step, steps)).min(1.0)
     }
 
     /// Sets the total number of steps of the run, from `step` on.
-    pub(super) fn replan(&mut self, step: u32, steps: u32) {
-        // a run without a plan that goes on: the steps that are done are a part of the new number
-        if self.plan.is_empty() && step > 0 {
-            self.plan.push([0, steps]);
+    pub(super) fn reschedule(&mut self, step: u32, steps: u32) {
+        // a run without a schedule that goes on: the steps that are done are a part of the new number
+        if self.schedule.is_empty() && step > 0 {
+            self.schedule.push([0, steps]);
         }
-        self.plan.push([step, steps]);
+        self.schedule.push([step, steps]);
         self.steps = steps;
     }
 }
@@ -139,7 +139,8 @@ impl TrainConfig {
     /// Fails if a run's own file, which has every setting, lacks one.
     pub(super) fn check_complete(&self, path: &Path) -> Result<()> {
         let text = read_text(path, MAX_BYTES, "settings")?;
-        let found: toml::Table = toml::from_str(&text).unwrap_or_default();
+        let mut found: toml::Table = toml::from_str(&text).unwrap_or_default();
+        assignment::rename_old(&mut found);
         let has = |name: &str| {
             let mut keys = name.split('.');
             let table = keys.next().and_then(|key| found.get(key));

@@ -152,7 +152,7 @@ pub(crate) fn evaluate_view(
     fitted: bool,
     render: &mut Render<'_>,
 ) -> Result<(Evaluation, Image)> {
-    let rendered = Rendered::new(frame, render)?;
+    let rendered = RenderedFrame::new(frame, render)?;
     let score = rendered.score(frame, fitted)?;
     let views = vec![ViewScore { name: frame.name.clone(), score }];
     let not_finite = rendered.image.not_finite();
@@ -191,13 +191,13 @@ fn mean(views: &[ViewScore]) -> Score {
 }
 
 /// A rendered frame.
-struct Rendered {
+struct RenderedFrame {
     image: Image,
     /// Colors, `[height, width]`, from 0 to 1.
     colors: Vec<[f32; 3]>,
 }
 
-impl Rendered {
+impl RenderedFrame {
     fn new(frame: &Frame, render: &mut Render<'_>) -> Result<Self> {
         let camera = &frame.camera;
         let size = [camera.width, camera.height];

@@ -125,10 +125,10 @@ impl Session<'_> {
         (gaussians, step): (usize, u32),
         watch: &mut Watch<'_>,
     ) -> Result<Vec<Change>> {
-        let most = self.config.growth.max_gaussians;
-        if gaussians as u64 > u64::from(most) {
+        let max = self.config.densification.max_gaussians;
+        if gaussians as u64 > u64::from(max) {
             let reason = format!(
-                "`growth.max_gaussians` is {most}, but the scene already has {gaussians} Gaussians"
+                "`densification.max_gaussians` is {max}, but the scene already has {gaussians} Gaussians"
             );
             return Err(Error::Invalid { origin: self.folder.path().join(CONFIG), reason });
         }

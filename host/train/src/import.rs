@@ -101,8 +101,8 @@ fn config(gaussians: usize, steps: u32) -> TrainConfig {
     config.run.steps = steps;
     // like in viewers that sort
     config.scene.antialiased = false;
-    config.growth.end = 0.0;
-    config.growth.max_gaussians = gaussians as u32;
+    config.densification.end = 0.0;
+    config.densification.max_gaussians = gaussians as u32;
     config.start.gaussians = gaussians as u32;
     config.optimizer.position = Rate { first: 1e-4, last: 1e-5 };
     config.optimizer.log_scale = Rate { first: 3e-3, last: 1e-3 };

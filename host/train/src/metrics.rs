@@ -76,7 +76,8 @@ pub enum Record {
         views: Vec<ViewScore>,
     },
     /// The number of Gaussians changed.
-    Growth {
+    #[serde(alias = "growth")]
+    Densification {
         /// Optimizer steps so far.
         step: u64,
         /// Number of Gaussians that were replaced by smaller ones.
@@ -153,7 +154,7 @@ impl Record {
             Self::Session { step, .. }
             | Self::Step { step, .. }
             | Self::Evaluation { step, .. }
-            | Self::Growth { step, .. }
+            | Self::Densification { step, .. }
             | Self::Change(Change { step, .. })
             | Self::Timing { step, .. } => *step,
         }

@@ -14,19 +14,19 @@ const SHUFFLE: u64 = 6;
 /// Points that are nearer than this part of their mean distance count as one place.
 const SAME: f64 = 0.01;
 /// Fewer places do not show a scene.
-const LEAST_PLACES: usize = 8;
+const MIN_PLACES: usize = 8;
 /// Part of the points that photographs must show, if colors prove nothing.
-const LEAST_SEEN: f64 = 0.1;
+const MIN_SEEN: f64 = 0.1;
 /// Least number of points with compared colors.
-const LEAST_COLORS: usize = 30;
+const MIN_COLORS: usize = 30;
 /// How much worse other points' colors fit the photographs, relative to the difference between what photographs show at points.
 /// It is 0.7 to 1 for the points of COLMAP, below 0.25 in the wrong place, and more if the points lie too close together.
 const EXPLAINED: RangeInclusive<f64> = 0.5..=2.0;
 /// Least difference of colors from each other, in levels of 255.
-const LEAST_SPREAD: f64 = 4.0;
+const MIN_SPREAD: f64 = 4.0;
 /// Most points and photographs that are compared.
-const MOST_POINTS: usize = 4000;
-const MOST_FRAMES: usize = 64;
+const MAX_POINTS: usize = 4000;
+const MAX_FRAMES: usize = 64;
 
 /// The distance below which places count as one, of `count` Gaussians around a target. On a surface, they would be
 /// `radius / sqrt(count)` apart.
@@ -49,12 +49,12 @@ pub(super) fn distinct<T: Copy>(
 /// Why training should not start from points: the photographs do not show them there.
 pub(super) fn objection(points: &[Point], places: usize, frames: &[&Frame]) -> Option<String> {
     let all = points.len();
-    if places < LEAST_PLACES {
-        let reason = format!("its {all} points lie in fewer than {LEAST_PLACES} different places");
+    if places < MIN_PLACES {
+        let reason = format!("its {all} points lie in fewer than {MIN_PLACES} different places");
         return Some(reason);
     }
-    let frames: Vec<_> = frames.iter().step_by(frames.len().div_ceil(MOST_FRAMES)).collect();
-    let some: Vec<_> = points.iter().step_by(all.div_ceil(MOST_POINTS)).collect();
+    let frames: Vec<_> = frames.iter().step_by(frames.len().div_ceil(MAX_FRAMES)).collect();
+    let some: Vec<_> = points.iter().step_by(all.div_ceil(MAX_POINTS)).collect();
     let shown: Vec<Vec<_>> = some
         .iter()
         .map(|point| frames.iter().filter_map(|frame| shown(point, frame)).collect())
@@ -76,7 +76,7 @@ pub(super) fn objection(points: &[Point], places: usize, frames: &[&Frame]) -> O
     // A pixel is the mean of what it covers. A point's color is that, and detail too fine for the photographs. Both are independent,
     // so their squares add, and `exchanged - own` is `photographs`, however much detail is lost where photographs are shrunk.
     let [own, exchanged, points, photographs] = sums.map(|sum| sum / compared.len().max(1) as f64);
-    if compared.len() >= LEAST_COLORS && points.min(photographs) >= LEAST_SPREAD.powi(2) {
+    if compared.len() >= MIN_COLORS && points.min(photographs) >= MIN_SPREAD.powi(2) {
         return (!EXPLAINED.contains(&((exchanged - own) / photographs))).then(|| {
             let [own, exchanged] = [own, exchanged].map(f64::sqrt);
             format!(
@@ -85,7 +85,7 @@ pub(super) fn objection(points: &[Point], places: usize, frames: &[&Frame]) -> O
             )
         });
     }
-    let is_seen = seen as f64 >= LEAST_SEEN * some.len() as f64;
+    let is_seen = seen as f64 >= MIN_SEEN * some.len() as f64;
     let share = 100.0 * seen as f64 / some.len() as f64;
     (!is_seen).then(|| format!("the photographs show only {share:.0}% of its {all} points"))
 }

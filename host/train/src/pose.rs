@@ -193,8 +193,9 @@ mod tests {
             *values = Motion { turn, shift }.values(camera);
         }
         poses.center();
-        let most = poses.learned.values.iter().flatten().fold(0.0_f32, |most, v| most.max(v.abs()));
-        assert!(most < 1e-5, "{most}");
+        let largest =
+            poses.learned.values.iter().flatten().fold(0.0_f32, |largest, v| largest.max(v.abs()));
+        assert!(largest < 1e-5, "{largest}");
     }
 
     #[test]
@@ -202,8 +203,9 @@ mod tests {
         let mut poses = PoseSet::new(PerPhotograph::new(1), demo::turntable(1, 32));
         let config = OptimizerConfig::default();
         poses.step(&[[1.0; VALUES]], [0].into_iter(), &config, 1e-3, 1.0).unwrap();
-        let most = poses.learned.values[0].iter().fold(0.0_f32, |most, v| most.max(v.abs()));
-        assert!(most < 1e-9, "{most}");
+        let largest =
+            poses.learned.values[0].iter().fold(0.0_f32, |largest, v| largest.max(v.abs()));
+        assert!(largest < 1e-9, "{largest}");
     }
 
     /// Adam's first step has the size of its rate. For values that are not 0, the gradient must match the loss.

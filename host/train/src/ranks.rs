@@ -109,7 +109,7 @@ pub fn follow(
         match hear(&**ranks)? {
             Order::Step(steps) => {
                 if steps != trainer.config().run.steps {
-                    trainer.replan(steps);
+                    trainer.reschedule(steps);
                 }
                 trainer.step_with(hooks)?;
             }

@@ -13,7 +13,7 @@ const PIXEL_BYTES: u64 = 4 * 4;
 /// Bytes per pixel of the part of a step that is rendered at once: its color, the loss and the gradients.
 const PART_PIXEL_BYTES: u64 = 256;
 /// The most bytes that a run must have for such pixels. With less memory, parts are smaller, down to one tile.
-const MOST_PIXEL_BYTES: u64 = 2 << 30;
+const MAX_PIXEL_BYTES: u64 = 2 << 30;
 
 impl TrainConfig {
     /// Fails if a run cannot fit into memory, before anything is read or allocated.
@@ -24,7 +24,7 @@ impl TrainConfig {
     pub fn check_memory(&self) -> Result<()> {
         let tiles = u64::from(self.run.tiles_per_step);
         let pixels = tiles * u64::from(self.run.tile_size).pow(2);
-        let part = (pixels * PART_PIXEL_BYTES).min(MOST_PIXEL_BYTES);
+        let part = (pixels * PART_PIXEL_BYTES).min(MAX_PIXEL_BYTES);
         let step = pixels * PIXEL_BYTES + tiles * size_of::<Tile>() as u64 + part;
         // The photographs and their points are not known yet.
         let [photographs, gaussians] = match self.data.path {

@@ -55,8 +55,8 @@ pub struct Session<'a> {
     /// Seconds of training after which the run ends early, including those before a resume.
     pub time_limit: Option<f64>,
     /// Seconds that the run should take. The number of steps is chosen to fit, and written to its settings. It
-    /// replaces that of `config`.
-    pub planned: Option<f64>,
+    /// replaces the number in `config`.
+    pub scheduled: Option<f64>,
     /// The command line, for the log.
     pub command: Option<String>,
     /// A flag that another thread sets to save and stop.
@@ -95,7 +95,7 @@ pub enum Event<'a> {
         resume: bool,
     },
     /// The number of steps was chosen again.
-    Planned(u32),
+    Scheduled(u32),
     /// A step is done.
     Step {
         /// Steps so far.
@@ -168,7 +168,7 @@ impl<'a> Session<'a> {
             dataset,
             folder,
             time_limit: None,
-            planned: None,
+            scheduled: None,
             command: None,
             stop: &NEVER,
             ahead: STEPS_AHEAD,

@@ -12,9 +12,9 @@ const MARGIN: f64 = 0.05;
 /// Shortest side of the box, as a part of the longest. So points in a plane have a box, too.
 const THINNEST: f64 = 0.1;
 /// Largest number of points that determine the box.
-const MOST_POINTS: usize = 10_000;
+const MAX_POINTS: usize = 10_000;
 /// Largest number of cameras that determine it.
-const MOST_CAMERAS: usize = 200;
+const MAX_CAMERAS: usize = 200;
 
 /// The scene's box: the points that cameras see, without the few that are far away.
 ///
@@ -30,9 +30,9 @@ pub(super) fn scene_box(cameras: &[Camera], target: &Target, points: &[Point]) -
         low = low.min(inner_low);
         high = high.max(inner_high);
     }
-    let least = ((high - low).max_element() * THINNEST).max(1e-6);
+    let min = ((high - low).max_element() * THINNEST).max(1e-6);
     let middle = (low + high) / 2.0;
-    let half = ((high - low) / 2.0).max(DVec3::splat(least / 2.0));
+    let half = ((high - low) / 2.0).max(DVec3::splat(min / 2.0));
     [(middle - half).to_array(), (middle + half).to_array()]
 }
 
@@ -42,8 +42,8 @@ fn seen(
     target: &Target,
     points: impl ExactSizeIterator<Item = DVec3>,
 ) -> [DVec3; 2] {
-    let stride = points.len().div_ceil(MOST_POINTS).max(1);
-    let cameras: Vec<_> = cameras.iter().step_by(cameras.len().div_ceil(MOST_CAMERAS)).collect();
+    let stride = points.len().div_ceil(MAX_POINTS).max(1);
+    let cameras: Vec<_> = cameras.iter().step_by(cameras.len().div_ceil(MAX_CAMERAS)).collect();
     let mut points: Vec<_> = points
         .step_by(stride)
         .map(|point| {

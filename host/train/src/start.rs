@@ -86,11 +86,11 @@ pub fn start(
     cameras: &[Camera],
     points: &[Point],
 ) -> Result<Scene> {
-    let most = config.growth.max_gaussians as usize;
-    requirements::check_scene(config, most.min(points.len()) as u64)?;
+    let max = config.densification.max_gaussians as usize;
+    requirements::check_scene(config, max.min(points.len()) as u64)?;
     let mut random_places = random(config.run.seed, PLACES, 0);
     let target = Target::from_cameras(cameras);
-    let (places, colors) = choose(points, most, &mut random_places);
+    let (places, colors) = choose(points, max, &mut random_places);
     let aabb = scene_box(cameras, &target, points);
     let mut scene = Scene::zeros(config.scene_config(background, aabb), places.len())?;
     place(config, &mut scene, &places, &target, &mut random_places);
@@ -114,10 +114,10 @@ pub fn start_from(
 ) -> Result<Scene> {
     let file = splats::load(path)?;
     let count = file.splats.len();
-    let most = config.growth.max_gaussians;
-    if count > most as usize {
+    let max = config.densification.max_gaussians;
+    if count > max as usize {
         let reason = format!(
-            "it has {count} Gaussians, more than the {most} of `growth.max_gaussians`: raise that with `--max-gaussians`"
+            "it has {count} Gaussians, more than the {max} of `densification.max_gaussians`: raise that with `--max-gaussians`"
         );
         return Err(Error::Invalid { origin: path.to_owned(), reason });
     }

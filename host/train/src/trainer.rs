@@ -1,10 +1,11 @@
-//! One step after the other: draw tiles, render, compare, go back, move, grow. The state that a step changes, and its measurements.
+//! One step after the other: draw tiles, render, compare, run the backward pass, update, densify.
+//! The state that a step changes, and its measurements.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::coarse::{Batches, Drawn};
-use super::growth::{Grown, Population, grow};
+use super::densification::{DensificationStats, Population, densify};
 use super::optimizer::Optimizer;
 use super::per_photograph::Exposures;
 use super::photographs::{ResidentPhotographs, StepPhotographs};
@@ -81,7 +82,7 @@ pub struct Trainer {
 }
 
 impl Trainer {
-    /// Starts training: Gaussians are those of `start.path`, or lie at the data set's points, or where its cameras
+    /// Starts training: Gaussians come from `start.path`, or lie at the data set's points, or where its cameras
     /// look.
     ///
     /// # Errors
@@ -151,7 +152,7 @@ impl Trainer {
 
     /// The same training, shared with other [ranks](organza_core::ranks). Each rank has a trainer of its own, with the
     /// same settings, data and checkpoint, and takes the same steps. All trainers then hold the same scene, and its
-    /// bits are those of a trainer without ranks.
+    /// bits are the same as without ranks.
     #[must_use]
     pub fn with_ranks(mut self, ranks: Arc<dyn Ranks>) -> Self {
         self.ranks = Some(ranks);
@@ -181,9 +182,9 @@ impl Trainer {
         &self.config
     }
 
-    /// From this step on, the run has `steps` steps: learning rates and growth follow.
-    pub(super) fn replan(&mut self, steps: u32) {
-        self.config.run.replan(self.step, steps);
+    /// From this step on, the run has `steps` steps: learning rates and densification follow.
+    pub(super) fn reschedule(&mut self, steps: u32) {
+        self.config.run.reschedule(self.step, steps);
     }
 
     /// The photographs.
@@ -204,7 +205,7 @@ impl Trainer {
         &self.state.scene
     }
 
-    /// Number of Gaussians that steps have shown since growth last changed them.
+    /// Number of Gaussians that steps have shown since densification last changed them.
     pub(super) fn seen(&self) -> Result<usize> {
         let statistics = self.state.statistics(self.renderer.device())?;
         Ok(statistics.iter().filter(|[_, views, ..]| *views > 0.0).count())
@@ -252,7 +253,7 @@ impl Trainer {
     /// Like [`Trainer::step`], with a loss of your own, or with a function between the gradient and Adam.
     ///
     /// # Errors
-    /// The same errors as [`Trainer::step`], and those of the hooks.
+    /// The errors of [`Trainer::step`] and of the hooks.
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         self.finish_steps()?;
         let drawn = self.draw(hooks);
@@ -281,7 +282,7 @@ impl Trainer {
             Ok(Some((loss, values))) => {
                 self.queued.push_back(QueuedStep { step: self.step, drawn, loss, values });
                 self.step += 1;
-                let left = if self.is_time_to_grow() { 0 } else { ahead };
+                let left = if self.is_time_to_densify() { 0 } else { ahead };
                 while self.queued.len() > left {
                     self.finish_oldest(&mut reports)?;
                 }
@@ -443,30 +444,30 @@ impl Trainer {
 
     /// The report of the last step, with the change of the Gaussians if it is time for one.
     fn grow_if_due(&mut self, report: StepReport) -> Result<StepReport> {
-        let is_due = report.step == self.step && self.is_time_to_grow();
-        let grown = is_due.then(|| self.grow()).transpose()?;
-        Ok(StepReport { grown, gaussians: self.scene().len(), ..report })
+        let is_due = report.step == self.step && self.is_time_to_densify();
+        let densified = is_due.then(|| self.densify()).transpose()?;
+        Ok(StepReport { densified, gaussians: self.scene().len(), ..report })
     }
 
-    fn is_time_to_grow(&self) -> bool {
-        is_time_to_grow(&self.config, self.step)
+    fn is_time_to_densify(&self) -> bool {
+        is_time_to_densify(&self.config, self.step)
     }
 
     /// On the host: once in many steps.
-    fn grow(&mut self) -> Result<Grown> {
+    fn densify(&mut self) -> Result<DensificationStats> {
         let device = self.renderer.device();
         let mut population = self.state.population(device)?;
-        let grown = grow(&self.config.growth, &mut population);
+        let densified = densify(&self.config.densification, &mut population);
         self.state.replace_gaussians(device, &population)?;
-        Ok(grown)
+        Ok(densified)
     }
 }
 
 /// Whether the number of Gaussians changes after a step.
-pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
-    let growth = &config.growth;
-    let is_in_time = (growth.begin..=growth.end).contains(&config.run.fraction(step));
-    step.is_multiple_of(growth.every) && is_in_time
+pub(super) fn is_time_to_densify(config: &TrainConfig, step: u32) -> bool {
+    let densification = &config.densification;
+    let is_in_time = (densification.begin..=densification.end).contains(&config.run.fraction(step));
+    step.is_multiple_of(densification.every) && is_in_time
 }
 
 /// Measurements of a step, from before it changed anything.
@@ -488,7 +489,7 @@ pub struct StepReport {
     /// Number of tiles in the batch.
     pub tiles: usize,
     /// Change of the Gaussians, if there was one.
-    pub grown: Option<Grown>,
+    pub densified: Option<DensificationStats>,
 }
 
 impl StepReport {
@@ -505,7 +506,7 @@ impl StepReport {
             ssim: 1.0 - total.value(1.0),
             psnr: metrics::psnr_of(total.squared / pixels),
             tiles: found.tiles.len(),
-            grown: None,
+            densified: None,
         }
     }
 
@@ -561,7 +562,7 @@ impl TrainerState {
         Ok(state)
     }
 
-    /// Whether the next gradient is also that of T.
+    /// Whether the next gradient includes T's.
     pub fn set_transmittance(&mut self, is_learned: bool) {
         self.gradient.has_transmittance = is_learned;
     }

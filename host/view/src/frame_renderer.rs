@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::message::{FrameRequest, Mode, Quality, refuse};
 use super::picture::{self, Range};
-use super::queue::{FrameJob, NextJob, Question, Queue, Rendered};
+use super::queue::{FrameJob, NextJob, Payload, Question, Queue};
 use crate::{Editor, Photographs, Stage};
 use organza_core::error::{self, Result};
 use organza_core::image::{ChannelImage, Image, TILE_SIDE, to_8_bit};
@@ -87,7 +87,7 @@ impl FrameRenderer {
     }
 
     /// Paints an image; `None` if it was interrupted.
-    fn frame(&mut self, stage: Stage<'_>, job: &FrameJob) -> Result<Option<Rendered>> {
+    fn frame(&mut self, stage: Stage<'_>, job: &FrameJob) -> Result<Option<Payload>> {
         let begin = Instant::now();
         let truth = match (job.request.mode, job.request.view) {
             (Mode::Error, Some(view)) => Some(self.photographs.get(stage.renderer, view)?),
@@ -124,7 +124,7 @@ impl FrameRenderer {
             "version": stage.version,
             "gaussians": stage.scene.len(),
             "pairs": report.pairs,
-            "members": report.members,
+            "members": report.intersections,
             // computed for this image; the eye keeps others from earlier images
             "samples": report.samples,
             "renewed": eye.cache.work().evaluated,
@@ -152,7 +152,7 @@ impl FrameRenderer {
         self.eyes.last_mut().expect("pushed above")
     }
 
-    fn answer(&mut self, stage: Stage<'_>, question: &Question) -> Result<Rendered> {
+    fn answer(&mut self, stage: Stage<'_>, question: &Question) -> Result<Payload> {
         match question {
             Question::Photograph(view) => {
                 let photograph = self.photographs.get(stage.renderer, *view)?;
@@ -176,8 +176,8 @@ impl FrameRenderer {
     }
 }
 
-fn rendered_as(kind: &'static str, bytes: Vec<u8>, about: &Value) -> Rendered {
-    Rendered { kind, bytes, about: about.to_string() }
+fn rendered_as(kind: &'static str, bytes: Vec<u8>, about: &Value) -> Payload {
+    Payload { kind, bytes, about: about.to_string() }
 }
 
 /// The result of drawing.
@@ -216,7 +216,9 @@ fn draw(
     let rendered = renderer.render_from_eye(scene, camera, &batch, cache, &options)?;
     let Some(tiles) = rendered else { return Ok(None) };
     let (image, range) = match (request.mode, request.mode.channels()) {
-        (Mode::Members, _) => picture::count_image(&renderer.count_members(scene, camera)?, size),
+        (Mode::Gaussians, _) => {
+            picture::count_image(&renderer.count_gaussians(scene, camera)?, size)
+        }
         (mode, [channel]) => {
             let mut image = ChannelImage::new(*channel, size[0], size[1])?;
             image.paste(&batch, &tiles)?;

@@ -4,7 +4,7 @@ use muslin::math::sigmoid;
 use organza_core::camera::{Camera, Orbit};
 
 /// Most Gaussians that are looked for in the cameras' images.
-const MOST: usize = 4000;
+const MAX: usize = 4000;
 
 /// The camera that shows most of a scene's opacity, head on. What many cameras show counts more: they were held toward it.
 /// `None` without cameras.
@@ -14,7 +14,7 @@ pub fn home<'a>(
     opacity: &[f32],
 ) -> Option<&'a Camera> {
     let center = Orbit::around(cameras).ok()?.center;
-    let every = position.len().div_ceil(MOST).max(1);
+    let every = position.len().div_ceil(MAX).max(1);
     let some: Vec<_> = position.iter().zip(opacity).step_by(every).collect();
     let shows = |camera: &Camera| -> Vec<bool> {
         some.iter()

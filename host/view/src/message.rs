@@ -21,7 +21,7 @@ pub enum Mode {
     Depth,
     Normal,
     /// Number of Gaussians in the pixel's sum.
-    Members,
+    Gaussians,
     /// The difference from the photograph.
     Error,
 }

@@ -29,7 +29,7 @@ impl Mode {
         Self::Weight,
         Self::Depth,
         Self::Normal,
-        Self::Members,
+        Self::Gaussians,
         Self::Error,
     ];
 
@@ -40,7 +40,7 @@ impl Mode {
             Self::Weight => &[Channel::Alpha],
             Self::Depth => &[Channel::Depth],
             Self::Normal => &[Channel::Normal],
-            Self::Color | Self::Members | Self::Error => &[],
+            Self::Color | Self::Gaussians | Self::Error => &[],
         }
     }
 
@@ -50,7 +50,7 @@ impl Mode {
             Self::Visibility => Some(colorous::VIRIDIS),
             Self::Weight => Some(colorous::CIVIDIS),
             Self::Depth => Some(colorous::TURBO),
-            Self::Members => Some(colorous::MAGMA),
+            Self::Gaussians => Some(colorous::MAGMA),
             Self::Error => Some(colorous::INFERNO),
             Self::Color | Self::Normal => None,
         }
@@ -100,9 +100,9 @@ pub fn channel_image(
 
 /// The image of the number of Gaussians in each pixel's sum.
 pub fn count_image(count: &[u32], size: [u32; 2]) -> (Image, Option<Range>) {
-    let most = count.iter().copied().max().unwrap_or(0).max(8);
-    let range = Range { low: 0.0, high: round_up(f64::from(most)) };
-    (scaled(Mode::Members, size, count.iter().map(|&n| f64::from(n)), range), Some(range))
+    let max = count.iter().copied().max().unwrap_or(0).max(8);
+    let range = Range { low: 0.0, high: round_up(f64::from(max)) };
+    (scaled(Mode::Gaussians, size, count.iter().map(|&n| f64::from(n)), range), Some(range))
 }
 
 /// The largest finite value.

@@ -17,11 +17,11 @@ const MAX_CLIENTS: usize = 256;
 const MAX_QUESTIONS: usize = 64;
 
 /// An answer: its bytes and the facts for the page, or an error message.
-pub type Answer = Result<Rendered, String>;
+pub type Answer = Result<Payload, String>;
 
 /// An image, or another file.
 #[derive(Debug)]
-pub struct Rendered {
+pub struct Payload {
     pub kind: &'static str,
     pub bytes: Vec<u8>,
     /// Facts for the page, as JSON.
@@ -71,7 +71,7 @@ struct QueueState {
     questions: VecDeque<(Question, oneshot::Sender<Answer>)>,
     requests: u64,
     /// Time of the client that was served last, before its image.
-    least: Duration,
+    min_spent: Duration,
 }
 
 /// Waiting requests.
@@ -121,9 +121,9 @@ impl Queue {
             };
         }
         // time that a client did not use is not saved up
-        let least = state.least;
+        let min_spent = state.min_spent;
         let client = state.clients.entry(id).or_default();
-        client.spent = client.spent.max(least);
+        client.spent = client.spent.max(min_spent);
         client.last = now;
         // requests may overtake each other on the way
         if job.request.sequence >= client.sequence {
@@ -177,7 +177,7 @@ impl Queue {
         }
         let waiting = state.clients.iter().filter(|(_, client)| client.is_waiting());
         let (&next, client) = waiting.min_by_key(|(id, client)| (client.spent, **id))?;
-        state.least = client.spent;
+        state.min_spent = client.spent;
         state.clients.get_mut(&next).and_then(|client| client.job.take()).map(NextJob::Frame)
     }
 

@@ -25,7 +25,7 @@ use super::films::{self, FilmRequest};
 use super::guard::{Access, Guard};
 use super::keyframes::{self, PathRequest};
 use super::message::{FrameRequest, PixelRequest, check};
-use super::queue::{Answer, FrameJob, Question, Queue, Rendered};
+use super::queue::{Answer, FrameJob, Payload, Question, Queue};
 use super::training::{Command, TrainingStatus};
 use organza_core::Camera;
 use organza_core::error::{self, Error, Result};
@@ -347,7 +347,7 @@ async fn ask(viewer: &Viewer, question: Question) -> Result<Reply, Refusal> {
 
 async fn rendered(answer: oneshot::Receiver<Answer>) -> Result<Reply, Refusal> {
     match answer.await {
-        Ok(Ok(Rendered { kind, bytes, about })) => {
+        Ok(Ok(Payload { kind, bytes, about })) => {
             let mut reply = whole(StatusCode::OK, kind, bytes.into());
             if let Ok(about) = HeaderValue::from_str(&about) {
                 reply.headers_mut().insert(HeaderName::from_static("x-organza"), about);

@@ -95,7 +95,7 @@ impl<'a> TrainingView<'a> {
                 state.step = u64::from(*step);
                 state.steps = u64::from(steps);
             }
-            Event::Planned(steps) => state.steps = u64::from(*steps),
+            Event::Scheduled(steps) => state.steps = u64::from(*steps),
             Event::Evaluated(evaluation) => {
                 let step = state.step;
                 state.evaluations.step.push(step);

@@ -69,7 +69,7 @@ struct Expansion {
 struct Sum(BTreeMap<Vec<Word>, u32>);
 
 /// Most products of a [`Sum`]. What has more counts as a value.
-const MOST: usize = 64;
+const MAX_TERMS: usize = 64;
 
 impl Expansion {
     fn expand(&mut self, writer: &mut Writer, instruction: Instruction) {
@@ -187,7 +187,7 @@ impl Expansion {
             (Op::Bitcast, &[Operand::IdRef(a)]) if !self.is_float(a) => self.sum(a),
             _ => value.clone(),
         };
-        let sum = if sum.0.len() > MOST { value } else { sum };
+        let sum = if sum.0.len() > MAX_TERMS { value } else { sum };
         self.sums.insert(id, sum.clone());
         sum
     }

@@ -91,7 +91,7 @@ fn check_loops(kernel: &KernelInfo, module: &Module) -> Result<()> {
 
 /// Most elements of an array of each invocation. Mesa's software GPU takes 44 s to compile a table of 1,024 constants, and longer than nine
 /// minutes for 4,096.
-const MOST_ELEMENTS: u32 = 256;
+const MAX_ELEMENTS: u32 = 256;
 
 /// An array with a variable index stays in the memory of each invocation, tables of constants, too.
 fn check_arrays(module: &naga::Module) -> Result<()> {
@@ -103,10 +103,10 @@ fn check_arrays(module: &naga::Module) -> Result<()> {
             module.types[variable.ty].inner
         {
             ensure!(
-                len.get() <= MOST_ELEMENTS,
+                len.get() <= MAX_ELEMENTS,
                 "it has an array or a table of {len} elements with a variable index, in helpers too: each invocation keeps it, \
                  and a driver can take minutes to compile that. Bind it as a `Read` buffer, which the host uploads once; a \
-                 kernel's own arrays have at most {MOST_ELEMENTS}"
+                 kernel's own arrays have at most {MAX_ELEMENTS}"
             );
         }
     }

@@ -724,7 +724,7 @@ mod tests {
             "debug_assert!(x == None);",
             "const { assert!(SIDE == 4) };",
             "const ALL: () = assert!(SIDE == 4);",
-            "let y = z.clamp(-1.0, MOST);",
+            "let y = z.clamp(-1.0, MAX);",
             "#[cfg(not(target_arch = \"spirv\"))]\n    { assert!(x == None); }",
         ] {
             assert_eq!(body(right), "", "{right}");

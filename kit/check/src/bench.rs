@@ -246,8 +246,8 @@ fn time_of(device: &Device, dispatch: &dyn Fn() -> Result<()>) -> Result<[f64; 3
 }
 
 fn multiply_add(device: &Device) -> Result<f64> {
-    let [mut count, most] = INVOCATIONS;
-    let output = device.zeros("peak", most as usize)?;
+    let [mut count, max] = INVOCATIONS;
+    let output = device.zeros("peak", max as usize)?;
     let run = |count: u32| {
         let params = PeakMultiplyAddParams { count, steps: STEPS, factor: 0.5, addend: 1.0 };
         let kernel = PeakMultiplyAddKernel { params, output: &output };
@@ -257,7 +257,7 @@ fn multiply_add(device: &Device) -> Result<f64> {
     run(count)?;
     let [seconds, ..] = run(count)?;
     let wanted = f64::from(count) * (SECONDS / seconds).max(1.0);
-    count = (wanted.min(f64::from(most)) as u32).next_multiple_of(WORKGROUP).min(most);
+    count = (wanted.min(f64::from(max)) as u32).next_multiple_of(WORKGROUP).min(max);
     let mut best: f64 = 0.0;
     for _ in 0..RUNS {
         let [seconds, flops, _] = run(count)?;

@@ -253,9 +253,9 @@ impl Div for Rounded {
             return self;
         }
         let value = self.value / other.value;
-        let least = other.value.abs() - other.error;
-        let error = match least > 0.0 {
-            true => (self.error + value.abs() * other.error) / least,
+        let smallest = other.value.abs() - other.error;
+        let error = match smallest > 0.0 {
+            true => (self.error + value.abs() * other.error) / smallest,
             false => f64::INFINITY,
         };
         Self::within(value, error).rounded(DIVISION)

@@ -184,10 +184,10 @@ impl Count {
         self.upper_bound
     }
 
-    /// The number of items from `first` on, at most `most`.
+    /// The number of items from `first` on, at most `max`.
     #[must_use]
-    pub fn piece(&self, first: u32, most: u32) -> Self {
-        let upper_bound = count::piece(self.upper_bound, first, most);
+    pub fn piece(&self, first: u32, max: u32) -> Self {
+        let upper_bound = count::piece(self.upper_bound, first, max);
         let further = |total: &Total| Total { first: total.first + first, ..total.clone() };
         Self { upper_bound, total: self.total.as_ref().map(further) }
     }

@@ -11,7 +11,7 @@ use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, EntryPoint, Items, Ke
 use muslin_kernel::work::Work;
 
 use crate::buffer::{Count, Host, RawBuffer};
-use crate::job::{MOST, Workgroups, workgroups_for};
+use crate::job::{MAX_WORKGROUPS, Workgroups, workgroups_for};
 use crate::{Error, Result, cpu, gpu, plan};
 
 /// A device that runs kernels.
@@ -231,7 +231,7 @@ impl Device {
 
     /// Whether numbers should stay on the device: on a GPU, reading them means waiting. If dispatches are timed, they
     /// are read, because their work is counted with them.
-    pub fn leaves_counts_on_device(&self) -> bool {
+    pub fn has_indirect_counts(&self) -> bool {
         !matches!(self.kind, DeviceKind::Cpu(_)) && !self.times.load(Ordering::Relaxed)
     }
 
@@ -317,7 +317,7 @@ impl Device {
         }
         let [x, y] = workgroups_for(info, invocations.saturating_add(info.workgroup_size[0]));
         // there may be no room for another one
-        let y = if y > MOST { needed[1] } else { y };
+        let y = if y > MAX_WORKGROUPS { needed[1] } else { y };
         self.dispatch_with_extra(kernel, [x, y, workgroups_z], needed)
     }
 
@@ -329,7 +329,8 @@ impl Device {
         let [x, y, _] = kernel.info().workgroup_size;
         let extra = u32::from(self.has_extra_workgroup(kernel.info()) && !size.contains(&0));
         let needed = [size[0].div_ceil(x), size[1].div_ceil(y), size[2]];
-        let with_extra = |workgroups: u32| workgroups + if workgroups < MOST { extra } else { 0 };
+        let with_extra =
+            |workgroups: u32| workgroups + if workgroups < MAX_WORKGROUPS { extra } else { 0 };
         let all = [with_extra(needed[0]), with_extra(needed[1]), needed[2]];
         self.dispatch_with_extra(kernel, all, needed)
     }
@@ -453,12 +454,12 @@ impl std::ops::Sub for Traffic {
 
 /// Fails if there are more workgroups than a GPU starts.
 fn refuse_too_many(info: &KernelInfo, workgroups: [u32; 3]) -> Result<()> {
-    if workgroups.iter().all(|&along| along <= MOST) {
+    if workgroups.iter().all(|&along| along <= MAX_WORKGROUPS) {
         return Ok(());
     }
     let [x, y, z] = workgroups;
     let reason = format!(
-        "{x} x {y} x {z} workgroups, and a GPU starts at most {MOST} along each axis: use `Device::run` for items along x, larger \
+        "{x} x {y} x {z} workgroups, and a GPU starts at most {MAX_WORKGROUPS} along each axis: use `Device::run` for items along x, larger \
          workgroups, or several dispatches"
     );
     Err(Error::Kernel { kernel: info.name.into(), reason })

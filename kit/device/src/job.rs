@@ -49,12 +49,16 @@ pub struct Workgroups {
 }
 
 /// Most workgroups along an axis: every GPU starts as many.
-pub const MOST: u32 = 65_535;
+pub const MAX_WORKGROUPS: u32 = 65_535;
 
 /// Number of workgroups along x and y with at least `items` invocations in all.
 pub fn workgroups_for(info: &KernelInfo, items: u32) -> [u32; 2] {
     let groups = items.div_ceil(info.workgroup_size[0]);
-    if groups <= MOST { [groups, u32::from(groups > 0)] } else { [MOST, groups.div_ceil(MOST)] }
+    if groups <= MAX_WORKGROUPS {
+        [groups, u32::from(groups > 0)]
+    } else {
+        [MAX_WORKGROUPS, groups.div_ceil(MAX_WORKGROUPS)]
+    }
 }
 
 /// A random order of a seed, or its reverse. Of any two items, each comes first in one of the two.

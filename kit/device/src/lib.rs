@@ -99,7 +99,7 @@ pub use muslin_error::{Error, Result, format_bytes, memory};
 pub use muslin_kernel::kernel::{InstructionSet, kernels_of};
 pub use muslin_manifest::{List, STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
-pub use plan::{DevicePlan, Part, PlannedBuffer, PlannedCount, Step};
+pub use plan::{BufferRange, DevicePlan, PlannedBuffer, PlannedCount, Step};
 pub use transfer::Pending;
 /// The version of wgpu whose devices and buffers [`Device::from_wgpu`] and [`Buffer::from_wgpu`] take.
 #[cfg(feature = "gpu")]

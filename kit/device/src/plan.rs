@@ -33,9 +33,9 @@ pub struct PlannedBuffer {
     pub contents: Option<Vec<u8>>,
 }
 
-/// A part of a buffer.
+/// A range of a buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct BufferRange {
     /// Number of the buffer.
     pub buffer: u32,
     /// Offset of the first byte.
@@ -55,17 +55,17 @@ pub enum Step {
         params: Vec<u8>,
         /// Parameters that only the device knows.
         counts: Vec<PlannedCount>,
-        /// Parts of buffers for the other bindings, in order.
-        buffers: Vec<Part>,
+        /// Ranges of buffers for the other bindings, in order.
+        buffers: Vec<BufferRange>,
         /// Number of workgroups along x, y and z.
         workgroups: [u32; 3],
     },
     /// Sets bytes to zero.
-    Clear(Part),
+    Clear(BufferRange),
     /// Copies bytes.
     Copy {
         /// The source.
-        from: Part,
+        from: BufferRange,
         /// Number of the target buffer.
         to: u32,
         /// Offset in the target buffer, in bytes.
@@ -165,12 +165,16 @@ impl Planner {
     }
 
     pub fn clear(&self, buffer: u32, begin: u64, bytes: u64) {
-        self.push(Step::Clear(Part { buffer, begin, bytes: bytes.next_multiple_of(4) }));
+        self.push(Step::Clear(BufferRange { buffer, begin, bytes: bytes.next_multiple_of(4) }));
     }
 
     pub fn copy(&self, from: u32, range: Range<u64>, to: u32, begin: u64) {
         let bytes = (range.end - range.start).next_multiple_of(4);
-        self.push(Step::Copy { from: Part { buffer: from, begin: range.start, bytes }, to, begin });
+        self.push(Step::Copy {
+            from: BufferRange { buffer: from, begin: range.start, bytes },
+            to,
+            begin,
+        });
     }
 
     pub fn publish_counts(&self) {
@@ -184,13 +188,13 @@ impl Planner {
 
 impl RawBuffer {
     /// The number of the buffer, and its part in the plan.
-    fn planned(&self) -> (u32, Part) {
+    fn planned(&self) -> (u32, BufferRange) {
         let Memory::Planned(buffer) = self.memory else {
             panic!("the buffer `{}` belongs to another device", self.label)
         };
         // an empty buffer has memory, too
         let bytes = self.bytes.max(4).next_multiple_of(4);
-        (buffer, Part { buffer, begin: self.begin, bytes })
+        (buffer, BufferRange { buffer, begin: self.begin, bytes })
     }
 }
 
@@ -225,7 +229,7 @@ mod tests {
         else {
             panic!("{:?}", plan.steps)
         };
-        assert_eq!(*part, Part { buffer: 2, begin: 256, bytes: 256 });
+        assert_eq!(*part, BufferRange { buffer: 2, begin: 256, bytes: 256 });
         let bound: Vec<_> = buffers.iter().map(|part| (part.buffer, part.bytes)).collect();
         assert_eq!(bound, [(0, 12), (1, 16), (2, 512)]);
         assert_eq!(*workgroups, [2, 1, 1]);

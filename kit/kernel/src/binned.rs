@@ -139,8 +139,8 @@ mod tests {
 
     #[test]
     fn the_ends_of_all_numbers() {
-        let most = f32::MAX / 2.0;
-        let ends = [most, -most, f32::MIN_POSITIVE, -f32::MIN_POSITIVE, 1.0, 0.0];
+        let max = f32::MAX / 2.0;
+        let ends = [max, -max, f32::MIN_POSITIVE, -f32::MIN_POSITIVE, 1.0, 0.0];
         let one = vec![Vec::from(ends)];
         assert_eq!(sums(&one, 0..1), ends);
         let denormal = f32::MIN_POSITIVE / 2.0;

@@ -17,17 +17,17 @@ pub const OVERFLOW: u32 = 0;
 /// Number of values in a row of `placement`: see [`count_fill`].
 pub const PLACEMENT_VALUES: u32 = 4;
 
-/// The number of items from `first` on among `total`, at most `most`.
+/// The number of items from `first` on among `total`, at most `max`.
 #[inline(always)]
-pub fn piece(total: u32, first: u32, most: u32) -> u32 {
+pub fn piece(total: u32, first: u32, max: u32) -> u32 {
     let rest = if total > first { total - first } else { 0 };
-    if rest < most { rest } else { most }
+    if rest < max { rest } else { max }
 }
 
 /// Writes counts into the parameters of the kernels that will read them.
 ///
 /// `placement [1 + n, 4]` starts with n and three unused values. Then, for each number: its index in `parameters`, the
-/// index of its total in `counts`, and `first` and `most` of [`piece`].
+/// index of its total in `counts`, and `first` and `max` of [`piece`].
 #[kernel(threads(64), over(placement.len() / PLACEMENT_VALUES - 1))]
 pub fn count_fill(id: Invocation, placement: Read<u32>, counts: Read<u32>, parameters: Write<u32>) {
     let index = id.index();

@@ -48,7 +48,7 @@ pub(crate) fn negated([low, high]: [u32; 2]) -> [u32; 2] {
 #[track_caller]
 pub fn integers<const N: usize>(mut x: [f32; N]) -> [i64; N] {
     /// The largest number below 2^63.
-    const MOST: f32 = 9.223_371_5e18;
+    const MAX: f32 = 9.223_371_5e18;
     /// The number before 1/2: with 1/2 itself the sum of both would be 1.
     const ALMOST_HALF: f32 = 0.499_999_97;
     if cfg!(debug_assertions) && N == 1 {
@@ -63,8 +63,8 @@ pub fn integers<const N: usize>(mut x: [f32; N]) -> [i64; N] {
     let mut integers = [0; N];
     let mut i = 0;
     while i < N {
-        x[i] = if x[i] < MOST { x[i] } else { MOST };
-        x[i] = if x[i] > -MOST { x[i] } else { -MOST };
+        x[i] = if x[i] < MAX { x[i] } else { MAX };
+        x[i] = if x[i] > -MAX { x[i] } else { -MAX };
         x[i] += ALMOST_HALF.copysign(x[i]);
         // SAFETY: it is limited, and not NaN
         integers[i] = unsafe { x[i].to_int_unchecked() };

@@ -8,17 +8,19 @@ use crate::math::TINY;
 use crate::running;
 
 /// Most floats of a value.
-const MOST: usize = 4;
+const MAX_COMPONENTS: usize = 4;
 
 /// The floats of a value, and their number; none of what has no floats, or is not known.
-fn floats<T: Copy>(value: &T) -> ([f32; MOST], usize) {
+fn floats<T: Copy>(value: &T) -> ([f32; MAX_COMPONENTS], usize) {
     let name = type_name::<T>();
     let count = match size_of::<T>() / size_of::<f32>() {
         _ if name == type_name::<f32>() || name == type_name::<Wide<1, false>>() => 1,
-        count @ 2..=MOST if name.starts_with("glam::f32::") && name.contains("::Vec") => count,
+        count @ 2..=MAX_COMPONENTS if name.starts_with("glam::f32::") && name.contains("::Vec") => {
+            count
+        }
         _ => 0,
     };
-    let mut floats = [0.0; MOST];
+    let mut floats = [0.0; MAX_COMPONENTS];
     // SAFETY: a vector of glam has as many floats, and nothing before them
     unsafe {
         core::ptr::copy_nonoverlapping((&raw const *value).cast(), floats.as_mut_ptr(), count)

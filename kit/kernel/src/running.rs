@@ -54,8 +54,8 @@ pub fn enter(invocation: u32) {
 /// Sets the number of iterations that the invocation's loops may run from now on. In debug builds, `#[kernel]` and
 /// `#[loops]` count them.
 #[inline(always)]
-pub fn allow_iterations(most: u32) {
-    ITERATIONS.set(most);
+pub fn allow_iterations(max: u32) {
+    ITERATIONS.set(max);
 }
 
 /// The number of iterations left.

@@ -113,8 +113,8 @@ macro_rules! impl_shared_tile {
 
             #[inline(always)]
             fn capacity<S: Source<T>>(&self, _: S, items: u32) -> u32 {
-                let most = N as u32 / S::ELEMENTS;
-                if items < most { items } else { most }
+                let max = N as u32 / S::ELEMENTS;
+                if items < max { items } else { max }
             }
 
             #[inline(always)]
@@ -141,8 +141,8 @@ macro_rules! impl_shared_tile {
             fn offset<S: Source<T>>(&self, item: u32, _: S) -> u32 {
                 // The mask changes nothing. With it, compilers know that sums with the offset do not overflow, so that they become a
                 // part of the instruction that reads.
-                let most = const { (N as u32 / S::ELEMENTS).next_power_of_two() };
-                (item & (most - 1)) * S::ELEMENTS
+                let max = const { (N as u32 / S::ELEMENTS).next_power_of_two() };
+                (item & (max - 1)) * S::ELEMENTS
             }
 
             #[inline(always)]

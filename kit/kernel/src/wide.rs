@@ -77,20 +77,20 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        let least = vectors!(
+        let smaller = vectors!(
             min(self.0, other.0),
             lanes!(|i| if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] })
         );
-        Self(least)
+        Self(smaller)
     }
 
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        let greatest = vectors!(
+        let larger = vectors!(
             max(self.0, other.0),
             lanes!(|i| if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] })
         );
-        Self(greatest)
+        Self(larger)
     }
 
     #[inline(always)]
@@ -272,9 +272,9 @@ impl<const N: usize, const FUSED: bool> Wide<N, FUSED> {
     #[inline(always)]
     fn wholes(self) -> [i32; N] {
         /// The largest number below 2^31.
-        const MOST: f32 = 2_147_483_520.0;
-        // what is no number is MOST
-        let x = self.min(Self::splat(MOST)).max(Self::splat(-MOST));
+        const MAX: f32 = 2_147_483_520.0;
+        // what is no number is MAX
+        let x = self.min(Self::splat(MAX)).max(Self::splat(-MAX));
         // SAFETY: it is limited
         vectors!(whole(x.0), lanes!(|i| unsafe { x.0[i].to_int_unchecked() }))
     }

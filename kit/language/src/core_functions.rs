@@ -22,7 +22,7 @@ const TWO_31: f32 = 2_147_483_648.0;
 const ENDLESS: f32 = f32::INFINITY;
 
 impl Parity for CoreFunctions {
-    // integers, and bits of floats that are not rounded: the CPU's other values are those of core, with which devices are compared
+    // integers, and bits of floats that are not rounded: the CPU's other values come from core, with which devices are compared
     const COMPARED: f64 = 0.15;
 
     fn sets() -> Vec<(String, Self)> {

@@ -6,7 +6,7 @@ use muslin_language_kernels::small_integers::{
     U8MethodsInputs, U16_METHODS, U16MethodsInputs,
 };
 
-/// Bits at which methods change, beside those of `u8`.
+/// Bits at which methods change, beside the bits of `u8`.
 const EDGES: [u32; 16] = [
     0x100,
     0x101,
@@ -40,7 +40,7 @@ macro_rules! methods {
         case!(pub $case($inputs));
 
         impl Parity for $case {
-            // the CPU's other values are those of core, with which devices are compared
+            // the CPU's other values come from core, with which devices are compared
             const COMPARED: f64 = 0.0;
 
             fn sets() -> Vec<(String, Self)> {

@@ -6,7 +6,7 @@ use quote::{format_ident, quote, quote_spanned};
 use crate::parse::{Kernel, Lanes, Parameter, Role};
 use crate::regrouped;
 
-/// `quote!`, whose local names are others than those of the kernel's bindings.
+/// `quote!`, whose local names differ from the kernel's bindings.
 macro_rules! hygienic {
     ($($tokens:tt)*) => { quote_spanned! { Span::mixed_site() => $($tokens)* } };
 }
@@ -200,11 +200,11 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
             }
         }
     };
-    let most = if kernel.samples { hygienic!(samples) } else { hygienic!(lane) };
+    let max = if kernel.samples { hygienic!(samples) } else { hygienic!(lane) };
     let whole = match lanes {
         Lanes::Inside => hygienic!(),
         Lanes::Invocations(_) => hygienic! {
-            const _: () = ::core::assert!((#x) % ::muslin::#most::MAX_WIDTH == 0, "lanes fill a workgroup");
+            const _: () = ::core::assert!((#x) % ::muslin::#max::MAX_WIDTH == 0, "lanes fill a workgroup");
         },
     };
     let body = workgroup(kernel, views, &step);

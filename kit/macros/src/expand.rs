@@ -50,17 +50,17 @@ pub fn function(kernel: &Kernel) -> syn::ItemFn {
         let _witness = ::muslin::kernel::PanicContext::new(#name, #id, [#x, #y, #z]);
     };
     // a kernel that declares no iterations has none, in its helpers either
-    let most = kernel.iterations.as_ref().map_or(quote!(0), |most| match kernel.lanes_type() {
+    let max = kernel.iterations.as_ref().map_or(quote!(0), |max| match kernel.lanes_type() {
         // an invocation that takes several lanes may loop over them
-        Some(lanes) => quote!((#most) * #lanes::WIDTH),
-        None => quote!(#most),
+        Some(lanes) => quote!((#max) * #lanes::WIDTH),
+        None => quote!(#max),
     });
-    let most = parse_quote! {
+    let max = parse_quote! {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        ::muslin::kernel::allow_iterations(#most);
+        ::muslin::kernel::allow_iterations(#max);
     };
     checks::add(&mut function.block, has_barriers(kernel));
-    let statements: Vec<syn::Stmt> = [witness, most].into_iter().chain(named).collect();
+    let statements: Vec<syn::Stmt> = [witness, max].into_iter().chain(named).collect();
     function.block.stmts.splice(0..0, statements);
     function
 }
@@ -94,7 +94,7 @@ fn has_barriers(kernel: &Kernel) -> Option<syn::Expr> {
     kernel.has_shared_tiles().then(|| parse_quote!(false #(|| #tiles)*))
 }
 
-/// A name as text: that of `r#move` is `move`.
+/// A name as text: for `r#move` it is `move`.
 pub fn text(name: &Ident) -> String {
     name.unraw().to_string()
 }
@@ -345,7 +345,7 @@ fn over(kernel: &Kernel) -> TokenStream {
     }}
 }
 
-/// The arrays in workgroup memory, with or without those of shared tiles.
+/// The arrays in workgroup memory, with or without shared tiles' arrays.
 fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
     let arrays = kernel.parameters.iter().filter_map(|parameter| {
         let name = text(&parameter.name);
@@ -439,7 +439,7 @@ fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         impl<'a, S: ::muslin::kernel::Storage> #struct_name<'a, S> {
-            /// The same dispatch, with numbers that only the device may know.  They replace those of the parameters.
+            /// The same dispatch, with numbers that only the device may know.  They replace the parameters' numbers.
             #[must_use]
             pub fn counted(mut self, #(#fields: &'a S::Count),*) -> ::muslin::kernel::Counted<'a, S, Self, #n> {
                 #(self.#params.#fields = S::upper_bound(#fields);)*

@@ -369,7 +369,7 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
 }
 
 /// Most fields of a struct of parameters: it has a slot of 256 bytes.
-const MOST_FIELDS: usize = 64;
+const MAX_FIELDS: usize = 64;
 
 /// Refuses a struct of parameters with a field that a GPU reads in another way, or with a number of fields that a GPU can't bind.
 pub fn check_params(item: &ItemStruct) -> Result<()> {
@@ -379,9 +379,9 @@ pub fn check_params(item: &ItemStruct) -> Result<()> {
             format!("`{name}` has no fields: leave out the parameter of the type `&{name}`");
         return Err(Error::new(item.span(), message));
     }
-    if item.fields.len() > MOST_FIELDS {
+    if item.fields.len() > MAX_FIELDS {
         let message = format!(
-            "`{name}` has {} fields, and a kernel has at most {MOST_FIELDS} parameters: put the others into a buffer",
+            "`{name}` has {} fields, and a kernel has at most {MAX_FIELDS} parameters: put the others into a buffer",
             item.fields.len()
         );
         return Err(Error::new(item.span(), message));

@@ -88,7 +88,7 @@ pub struct Compiler {
 /// One compiled kernel.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct KernelEntry {
-    /// Name of the SPIR-V entry point: the kernel's, or that of its variant.
+    /// Name of the SPIR-V entry point: the kernel's, or its variant's.
     pub name: String,
     /// Package that declares the kernel.
     pub package: String,

@@ -6,7 +6,7 @@ use std::fmt;
 /// 65,535.
 const WIDEST: usize = 200;
 
-/// Rows of text. Columns of numbers are aligned right, those of words left.
+/// Rows of text. Columns of numbers are aligned right, columns of words left.
 #[derive(Debug)]
 pub struct Table {
     words: usize,

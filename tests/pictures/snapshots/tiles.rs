@@ -173,7 +173,7 @@ fn empty_tile() {
     };
     shot.check(|found, _, branches| {
         assert!(is_background(found, 0, &scene));
-        assert_eq!((found.report.members, branches.empty), (0, 64));
+        assert_eq!((found.report.intersections, branches.empty), (0, 64));
     });
 }
 

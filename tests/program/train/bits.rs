@@ -34,21 +34,21 @@ fn a_run_by_minutes_repeats_from_its_settings() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} one --minutes 0.01")).assert_ok();
     let config = TrainConfig::load(sandbox.path("one/config.toml")).expect("settings");
-    // the first plan, and those after the steps 1, 2 and 4 at least
-    assert!(config.run.plan.len() >= 4, "{:?}", config.run);
+    // the first schedule, and those after the steps 1, 2 and 4 at least
+    assert!(config.run.schedule.len() >= 4, "{:?}", config.run);
     sandbox.run("train --config one/config.toml --backend cpu -o again").assert_ok();
     assert_same_run(&sandbox, "again", "one");
     assert_eq!(TrainConfig::load(sandbox.path("again/config.toml")).expect("settings"), config);
-    // a fixed number of steps needs no plan
+    // a fixed number of steps needs no schedule
     let words = "train --config one/config.toml --backend cpu --steps 5 -o five";
     sandbox.run(words).assert_ok();
     let five = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");
-    assert_eq!((five.run.steps, five.run.plan.len()), (5, 0));
+    assert_eq!((five.run.steps, five.run.schedule.len()), (5, 0));
     // and it goes on for some minutes more
     sandbox.run("train --resume five --minutes 0.01 --backend cpu").assert_ok();
     let longer = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");
     let checkpoint = Checkpoint::load(sandbox.path("five").join(CHECKPOINT)).expect("a checkpoint");
-    assert!(longer.run.steps > 5 && longer.run.plan[1][0] == 5, "{:?}", longer.run);
+    assert!(longer.run.steps > 5 && longer.run.schedule[1][0] == 5, "{:?}", longer.run);
     assert_eq!(checkpoint.progress.step, longer.run.steps);
     sandbox.assert_refuses(&format!("{TINY} no --minutes 0"), &["minutes, such as 10"]);
 }
@@ -154,7 +154,7 @@ fn a_card_waits_for_no_step_and_gets_no_photograph() {
     // the next one changes the number of Gaussians, and reads all of them at once
     let before = renderer.device().traffic();
     let reports = trainer.advance(&mut StepHooks::new(), 2).expect("a step");
-    assert!(reports.last().is_some_and(|report| report.grown.is_some()), "{reports:?}");
+    assert!(reports.last().is_some_and(|report| report.densified.is_some()), "{reports:?}");
     assert_eq!((renderer.device().traffic() - before).waits, 1);
 }
 

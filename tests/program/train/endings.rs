@@ -140,7 +140,7 @@ fn a_run_that_is_killed_goes_on_to_the_same_bits() {
     assert_eq!(names, [BEST, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT]);
 }
 
-/// A plan made after the checkpoint must not prevent a resume from it.
+/// A schedule made after the checkpoint must not prevent a resume from it.
 #[test]
 fn a_killed_run_by_minutes_keeps_its_plan() {
     let sandbox = sandbox();

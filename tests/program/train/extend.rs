@@ -33,18 +33,19 @@ fn a_killed_extension_ends_with_the_same_bits() {
     let outcome = sandbox.run(&format!("train --resume run {MORE}")).assert_ok();
     assert!(outcome.stderr.contains("run.steps is 40 from here on; it was 20"), "{outcome:?}");
 
-    let expected = [change(20, "growth.max_gaussians", 400, 450), change(20, "run.steps", 20, 40)];
+    let expected =
+        [change(20, "densification.max_gaussians", 400, 450), change(20, "run.steps", 20, 40)];
     let mut found = changes(&sandbox, "run");
     found.sort_by(|a, b| a.name.cmp(&b.name));
     assert_eq!(found, expected);
     let binding = Binding::load(sandbox.path("run").join(CHECKPOINT)).unwrap().expect("bound");
     assert_eq!(binding.changes().len(), 2);
     let config = TrainConfig::load(sandbox.path("run/config.toml")).expect("settings");
-    assert_eq!((config.run.steps, config.growth.max_gaussians), (40, 450));
+    assert_eq!((config.run.steps, config.densification.max_gaussians), (40, 450));
     let told = without_times(&records(&sandbox.path("run")));
     assert_eq!(told[..before.len()], before, "what was measured stays");
-    // 0.8 of 40 steps: there is still growth
-    let is_late = |record: &Record| matches!(record, Record::Growth { step: 30, .. });
+    // 0.8 of 40 steps: there is still densification
+    let is_late = |record: &Record| matches!(record, Record::Densification { step: 30, .. });
     assert!(records(&sandbox.path("run")).iter().any(is_late));
 
     // killed before its first checkpoint, and between two
@@ -82,7 +83,7 @@ fn bad_extensions_are_refused() {
     sandbox.run(&format!("{TINY} run --steps 13")).assert_ok();
     for (words, facts) in [
         ("--steps 10", ["`run.steps` is 10", "already done 13 steps"]),
-        ("--max-gaussians 201", ["`growth.max_gaussians` is 201", "the scene already has"]),
+        ("--max-gaussians 201", ["`densification.max_gaussians` is 201", "the scene already has"]),
         ("--set run.seed=3", ["`run.seed` is 3", "only run.steps"]),
         ("--set run.stesp=50", ["no setting `run.stesp`", "did you mean `run.steps`?"]),
         ("--tile-size 8", ["`run.tile_size` is 8", "only run.steps"]),

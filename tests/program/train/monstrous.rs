@@ -30,14 +30,14 @@ fn monstrous_settings_are_refused_at_once() {
         ("[run]\ntiles_per_step = 700000000\ntile_size = 1", ["out of memory", "tiles of a step"]),
         (
             "[start]\ngaussians = 4000000000",
-            ["`start.gaussians` is 4000000000", "growth.max_gaussians"],
+            ["`start.gaussians` is 4000000000", "densification.max_gaussians"],
         ),
         (
-            "[start]\ngaussians = 4000000000\n[growth]\nmax_gaussians = 4000000000",
+            "[start]\ngaussians = 4000000000\n[densification]\nmax_gaussians = 4000000000",
             ["`start.gaussians` is 4000000000", "expected 1 to"],
         ),
         (
-            "[start]\ngaussians = 100000000\n[growth]\nmax_gaussians = 100000000",
+            "[start]\ngaussians = 100000000\n[densification]\nmax_gaussians = 100000000",
             ["out of memory", "Adam's moments"],
         ),
         ("[data]\nbuilt_in_views = 1000\nbuilt_in_side = 2048", ["views 11.72 GiB", "available"]),

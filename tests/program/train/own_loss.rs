@@ -119,8 +119,8 @@ fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
             // the squares that the loss sums
             let squared = f64::powf(10.0, -report.psnr / 10.0);
             let values = 2.0 * found.loss / squared;
-            let most = found.grad_tiles.len() as f64;
-            assert!(values <= 1.001 * most && values > 0.2 * most, "{what}: {values} of {most}");
+            let max = found.grad_tiles.len() as f64;
+            assert!(values <= 1.001 * max && values > 0.2 * max, "{what}: {values} of {max}");
         }
     }
 }

@@ -43,7 +43,7 @@ fn cameras_come_back_to_where_they_were() {
     config.run.steps = 30;
     config.run.tiles_per_step = 4;
     config.run.tile_size = 32;
-    config.growth.end = 0.0;
+    config.densification.end = 0.0;
     let still = Rate { first: 1e-12, last: 1e-12 };
     let optimizer = &mut config.optimizer;
     for rate in [

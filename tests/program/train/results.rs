@@ -162,7 +162,7 @@ fn a_log_file_has_steps_evaluations_and_the_end() {
     assert!(lines.len() < 20, "{lines:#?}");
     let outcome = sandbox.run(&format!("{TINY} quiet --quiet")).assert_ok();
     assert_eq!(outcome.stderr, "");
-    // a plan may change
+    // a schedule may change
     let outcome = sandbox.run(&format!("{TINY} planned --minutes 0.01")).assert_ok();
     assert!(outcome.stderr.contains("step 1 of about "), "{outcome:?}");
     assert!(outcome.stderr.ends_with("next: organza view planned\n"), "{outcome:?}");
@@ -194,7 +194,7 @@ fn warnings(outcome: &Outcome) -> Vec<&str> {
 #[test]
 fn first_steps_without_a_gaussian_warn() {
     let sandbox = sandbox();
-    sandbox.run(&format!("{TINY} run --steps 2 --set growth.end=0")).assert_ok();
+    sandbox.run(&format!("{TINY} run --steps 2 --set densification.end=0")).assert_ok();
     sandbox.edit_tensors("run/checkpoint.safetensors", |_, tensors| {
         let (_, positions) = tensors.get_mut("gaussians.position").unwrap();
         positions.as_chunks_mut().0.iter_mut().for_each(|x| *x = 500_f32.to_le_bytes());
@@ -216,7 +216,8 @@ fn a_run_whose_loss_does_not_move_says_so() {
     let rates = ["position", "rotation", "log_scale", "opacity", "material", "extra", "grids"];
     let rates = rates.into_iter().chain(["networks"]);
     let still: String = rates.map(|name| format!(" --set optimizer.{name}=1e-12,1e-12")).collect();
-    let long = format!("{TINY} run --steps 210 --set run.evaluate_every=0 --set growth.end=0");
+    let long =
+        format!("{TINY} run --steps 210 --set run.evaluate_every=0 --set densification.end=0");
     let outcome = sandbox.run(&format!("{long}{still}")).assert_ok();
     let [warning] = warnings(&outcome)[..] else { panic!("{outcome:?}") };
     assert!(warning.contains("the loss has not moved in 200 steps"), "{warning}");

@@ -169,7 +169,7 @@ pub fn photographs(sandbox: &Sandbox) {
     fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
 }
 
-/// Shape and bits of each tensor in a run's checkpoint: the scene, Adam's moments, and statistics for growth.
+/// Shape and bits of each tensor in a run's checkpoint: the scene, Adam's moments, and statistics for densification.
 pub type Bits = BTreeMap<String, (Vec<usize>, Vec<u32>)>;
 
 /// The final bits of a run.
@@ -247,7 +247,7 @@ pub fn without_times(records: &[Record]) -> Vec<String> {
         Record::Evaluation { step, psnr, ssim, views, .. } => {
             Some(format!("evaluation {step} {psnr:?} {ssim:?} {views:?}"))
         }
-        Record::Growth { .. } | Record::Change(_) => Some(format!("{record:?}")),
+        Record::Densification { .. } | Record::Change(_) => Some(format!("{record:?}")),
         Record::Session { .. } | Record::Timing { .. } => None,
     };
     records.iter().filter_map(told).collect()

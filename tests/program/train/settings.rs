@@ -96,7 +96,10 @@ fn later_settings_override_earlier_ones() {
     let words = format!("/data --preset best --config {}", file.display());
     let config = printed(&words);
     assert_eq!((config.run.steps, config.run.tile_size, config.run.seed), (11, 32, 5));
-    assert_eq!(config.growth, best.growth, "what the file leaves out is the preset's");
+    assert_eq!(
+        config.densification, best.densification,
+        "what the file leaves out is the preset's"
+    );
     // only a part of a table
     let grid = sandbox.path("grid.toml");
     fs::write(&grid, "[scene.color_grid]\nlevels = 9\n[optimizer]\ngrids.last = 1e-3\n").unwrap();
@@ -116,8 +119,8 @@ fn later_settings_override_earlier_ones() {
     assert_eq!(built_in.run.steps, 1000);
     assert_eq!(printed("--preset default"), TrainConfig::default());
     assert_eq!(
-        printed(&format!("--config {}", file.display())).growth,
-        TrainConfig::default().growth
+        printed(&format!("--config {}", file.display())).densification,
+        TrainConfig::default().densification
     );
     let config = printed("--sh-degree 3 --evaluate-every 7 --checkpoint-every 9");
     assert_eq!(

@@ -130,7 +130,7 @@ fn every_mode_has_an_image_and_errors_need_a_photograph() {
     let viewer = Viewer::start(&sandbox, "view scene.safetensors data --port 0 --backend cpu");
     let scene = viewer.scene();
     let camera = &scene["views"][1]["camera"];
-    for mode in ["color", "visibility", "weight", "depth", "normal", "members"] {
+    for mode in ["color", "visibility", "weight", "depth", "normal", "gaussians"] {
         for quality in ["moving", "still", "exact"] {
             viewer.frame(camera, quality, &json!({ "mode": mode })).ok();
         }

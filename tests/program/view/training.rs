@@ -22,7 +22,7 @@ fn the_bits_do_not_depend_on_who_watches() {
     let look = |viewer: &Viewer| {
         let scene = viewer.scene();
         let camera = scene["views"][0]["camera"].clone();
-        for mode in ["color", "depth", "members", "error"] {
+        for mode in ["color", "depth", "gaussians", "error"] {
             for quality in ["moving", "exact"] {
                 viewer.frame(&camera, quality, &json!({"mode": mode, "view": 0})).ok();
             }

@@ -64,7 +64,7 @@ fn lens(camera: &Camera) -> Value {
         "cx": camera.cx, "cy": camera.cy, "w": camera.width, "h": camera.height})
 }
 
-/// An image of the page: pixels, the numbers of pairs, members and samples, and the number of plans that were too
+/// An image of the page: pixels, the numbers of pairs, intersections and samples, and the number of plans that were too
 /// small.
 fn played(page: &mut Page, camera: &Camera, steps: u16) -> (Vec<f32>, [u64; 3], u64) {
     let script = include_str!("played.js");
@@ -93,7 +93,7 @@ fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u
         .expect("it was not cancelled");
     let (pixels, counts, small) = played(page, camera, steps);
     let report = &rendered.report;
-    assert_eq!(counts, [report.pairs, report.members, report.samples], "steps x {steps}");
+    assert_eq!(counts, [report.pairs, report.intersections, report.samples], "steps x {steps}");
     assert!(report.samples > 1000, "{report:?}");
     let side = SIDE as usize;
     let width = camera.width as usize;

@@ -67,7 +67,7 @@ pub(super) fn focal_length(side: f64, angle: f64) -> Result<f64, String> {
 fn straightened(mut pose: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
     let off = |axes: DMat3| {
         let off = axes.transpose() * axes - DMat3::IDENTITY;
-        off.to_cols_array().into_iter().fold(0.0, |most: f64, off| most.max(off.abs()))
+        off.to_cols_array().into_iter().fold(0.0, |largest: f64, off| largest.max(off.abs()))
     };
     let column = |axis: usize| DVec3::new(pose[0][axis], pose[1][axis], pose[2][axis]);
     let found = DMat3::from_cols(column(0), column(1), column(2));

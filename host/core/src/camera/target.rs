@@ -65,7 +65,7 @@ fn axis(camera: &Camera) -> DVec3 {
 
 /// The point with the least sum of distances to the axes, by iteratively reweighted least squares (Weiszfeld).
 fn nearest_to_axes(eyes: &[DVec3], axes: &[DVec3], middle: DVec3, spread: f64) -> DVec3 {
-    let least = (1e-3 * spread).max(1e-12);
+    let min = (1e-3 * spread).max(1e-12);
     let mut center = middle;
     let mut weights = vec![1.0; eyes.len()];
     for _ in 0..30 {
@@ -81,7 +81,7 @@ fn nearest_to_axes(eyes: &[DVec3], axes: &[DVec3], middle: DVec3, spread: f64) -
         }
         center = matrix.inverse() * right;
         for ((weight, &eye), &axis) in weights.iter_mut().zip(eyes).zip(axes) {
-            *weight = 1.0 / (center - eye).reject_from_normalized(axis).length().max(least);
+            *weight = 1.0 / (center - eye).reject_from_normalized(axis).length().max(min);
         }
     }
     center

@@ -39,7 +39,7 @@ const PEARL: usize = CLOTH + 1;
 /// The factor of band 1 of the spherical harmonics.
 const BAND_1: f32 = 0.488_602_5;
 /// The lowest logit.
-const LEAST_LOGIT: f32 = -8.0;
+const MIN_LOGIT: f32 = -8.0;
 /// Knots of a square on each side of 0, and their distance: the spline is off by 1/512 at most.
 const SQUARE_KNOTS: usize = 16;
 const SQUARE_STEP: f32 = 2.0 / SQUARE_KNOTS as f32;
@@ -94,7 +94,7 @@ impl Geometry {
         let view = [(3, -1.0), (1, -1.0), (2, 1.0)]
             .map(|(index, sign)| Form::input(HARMONICS + index).times(sign / BAND_1));
         let normal = [0, 1, 2].map(|axis| Form::input(NORMAL + axis));
-        let logits = [0, 1, 2].map(|c| units.pass(&Form::input(LOGITS + c), LEAST_LOGIT));
+        let logits = [0, 1, 2].map(|c| units.pass(&Form::input(LOGITS + c), MIN_LOGIT));
         let [taken_r, taken_g, taken_b, shadow, cloth, pearl] =
             [GRID, GRID + 1, GRID + 2, GRID + 3, CLOTH, PEARL]
                 .map(|index| units.pass(&Form::input(index), 0.0));
@@ -158,7 +158,7 @@ fn shade(units: &mut Units, geometry: &Geometry) -> [Form; 3] {
         // the cloth is tinted less: it glows with the light that other surfaces lose
         let light = logits[c].clone().plus(-1.0, &taken[c]);
         let glow = units.take(&taken[c].clone().gated(cloth));
-        units.pass(&light, LEAST_LOGIT - 4.0).plus(0.6, &glow)
+        units.pass(&light, MIN_LOGIT - 4.0).plus(0.6, &glow)
     });
     let mut add = |form: &Form, gain: [f32; 3]| {
         for (color, gain) in color.iter_mut().zip(gain) {

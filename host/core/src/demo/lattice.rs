@@ -15,7 +15,7 @@ use crate::scene::Gaussians;
 /// k: standard deviation of a Gaussian in units of its cell. It ripples by 0.04 percent.
 const SPREAD: f32 = 0.66;
 /// Gaussians with less coverage are left out: they would not change an 8-bit image.
-const LEAST_COVERAGE: f32 = 0.006;
+const MIN_COVERAGE: f32 = 0.006;
 /// Step of the central differences that give the tangents, in units of the surface's parameters.
 const DIFFERENCE: f32 = 2e-3;
 
@@ -81,7 +81,7 @@ impl Splats {
     /// Adds a Gaussian for a cell, unless the cell has no area or the Gaussian's coverage is too small.
     pub fn push(&mut self, cell: &Cell, look: &Look) {
         let normal = cell.normal();
-        if normal == Vec3::ZERO || look.coverage < LEAST_COVERAGE {
+        if normal == Vec3::ZERO || look.coverage < MIN_COVERAGE {
             return;
         }
         let ([first, second], deviation) = principal_axes(cell, normal);

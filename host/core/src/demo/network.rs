@@ -73,9 +73,9 @@ impl<'l> Units<'l> {
         Form::input(unit)
     }
 
-    /// Passes a form unchanged to the next layer. It must be at least `least`.
-    pub fn pass(&mut self, form: &Form, least: f32) -> Form {
-        self.take(&form.clone().offset(-least)).offset(least)
+    /// Passes a form unchanged to the next layer. It must be at least `min`.
+    pub fn pass(&mut self, form: &Form, min: f32) -> Form {
+        self.take(&form.clone().offset(-min)).offset(min)
     }
 
     /// The piecewise linear function of `x` through `knots`, as a sum of hinges `max(x - knot, 0)`. It is constant

@@ -79,9 +79,9 @@ pub fn fill(scene: &mut Scene, surroundings: &Surroundings) {
 
 /// Knots of a(d), from the depth of [`CLEAR`] on, evenly spaced in its logarithm.
 fn knots() -> Vec<(f32, f32)> {
-    let least = (-CLEAR).exp().ln_1p();
+    let min = (-CLEAR).exp().ln_1p();
     (0..KNOTS as i32)
-        .map(|knot| least * KNOT_RATIO.powi(knot))
+        .map(|knot| min * KNOT_RATIO.powi(knot))
         .map(|depth| (depth, -depth.exp_m1().ln()))
         .collect()
 }

@@ -166,8 +166,8 @@ impl Scene {
                 .sqrt()
         };
         let huge = |(position, log_scale): &(&[f32; 3], &[f32; 3])| {
-            let most = if is_contracted { diagonal.max(far(position)) } else { diagonal };
-            log_scale.iter().any(|&value| f64::from(value).exp() > most)
+            let max = if is_contracted { diagonal.max(far(position)) } else { diagonal };
+            log_scale.iter().any(|&value| f64::from(value).exp() > max)
         };
         // In f32, as in the kernels: small components may square to zero.
         let no_rotation = |rotation: &&[f32; 4]| {

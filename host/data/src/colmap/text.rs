@@ -52,9 +52,9 @@ pub(super) fn points(source: impl Read, path: &Path) -> Result<Points> {
     let is_part = |value: &f64| *value <= 1.0;
     let values = colors.as_flattened();
     let is_parts = values.iter().all(is_part) && values.iter().any(|value| value.fract() > 0.0);
-    let most = if is_parts { 255.0 } else { 1.0 };
+    let max = if is_parts { 255.0 } else { 1.0 };
     for ((_, point, _), color) in points.iter_mut().zip(colors) {
-        point.color = Some(color.map(|value| (most * value).round() as u8));
+        point.color = Some(color.map(|value| (max * value).round() as u8));
     }
     Ok(points)
 }

@@ -103,9 +103,9 @@ fn numbers_of_other_programs_are_read() {
     let cameras = std::fs::read_to_string(file("cameras.txt")).unwrap();
     assert!(cameras.contains(" 64 48 "));
     std::fs::write(file("cameras.txt"), cameras.replace(" 64 48 ", " 64.0 4.8e1 ")).unwrap();
-    for (most, digits) in [(255.0, 1), (255.0, 4), (1.0, 6)] {
+    for (max, digits) in [(255.0, 1), (255.0, 4), (1.0, 6)] {
         let line = |(id, [x, y, z], color): &(u64, [f64; 3], [u8; 3])| {
-            let [r, g, b] = color.map(|value| f64::from(value) * most / 255.0);
+            let [r, g, b] = color.map(|value| f64::from(value) * max / 255.0);
             format!("{id} {x} {y} {z} {r:.digits$} {g:.digits$} {b:.digits$} nan 1 0\n")
         };
         let lines: String = model.points.iter().map(line).collect();

@@ -11,8 +11,8 @@ pub fn depth<N: Number>(view: &View, gaussian: &Gaussian<N>) -> N {
 /// The shortest axis, the first of several, turned toward the camera.
 pub fn normal<N: Number>(view: &View, gaussian: &Gaussian<N>) -> [N; 3] {
     let lengths = gaussian.log_scale.map(Number::value);
-    let least = lengths.into_iter().fold(f64::INFINITY, f64::min);
-    let shortest = lengths.iter().position(|&length| length == least).expect("it is one of them");
+    let min = lengths.into_iter().fold(f64::INFINITY, f64::min);
+    let shortest = lengths.iter().position(|&length| length == min).expect("it is one of them");
     let axis = unit_axes(gaussian.rotation)[shortest];
     let from_camera = std::array::from_fn(|i| gaussian.position[i] - N::from(view.eye[i]));
     let away = dot(axis, from_camera);

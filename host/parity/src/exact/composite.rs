@@ -26,7 +26,7 @@ pub fn weight<N: Number>(logit: N, transmittance: N) -> N {
 /// The factor of a compensated weight, `sqrt(det(cov2d) / det(cov2d + blur I))`, from the conic of the blurred covariance. At
 /// least 1/255; there it is constant.
 pub fn compensation<N: Number>([xx, xy, yy]: [N; 3], blur: f64) -> N {
-    let least = N::from(1.0 / 255.0);
+    let min = N::from(1.0 / 255.0);
     let blur = N::from(blur);
     let determinant = xx * yy - xy * xy;
     // cov2d, without the blur
@@ -34,7 +34,7 @@ pub fn compensation<N: Number>([xx, xy, yy]: [N; 3], blur: f64) -> N {
     let b = xx / determinant - blur;
     let c = xy / determinant;
     let quotient = (a * b - c * c) * determinant;
-    quotient.above((least * least).value(), quotient.sqrt(), least)
+    quotient.above((min * min).value(), quotient.sqrt(), min)
 }
 
 /// `exp(-q/2)` up to the cutoff, and 0 behind it.  Rounding may have taken q of a needle below 0.

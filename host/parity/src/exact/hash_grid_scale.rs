@@ -15,8 +15,8 @@ pub fn transmittance_bound([gradient, transmittance, power]: [Rounded; 3]) -> Ro
 /// The largest absolute value; infinite if a value is infinite or NaN.
 pub fn largest(values: impl IntoIterator<Item = Rounded>) -> Rounded {
     let endless = Rounded::exact(f64::INFINITY);
-    let larger = |most: Rounded, x: Rounded| match x.value.is_finite() {
-        true => most.max(x.abs()),
+    let larger = |largest: Rounded, x: Rounded| match x.value.is_finite() {
+        true => largest.max(x.abs()),
         false => endless,
     };
     values.into_iter().fold(Rounded::exact(0.0), larger)

@@ -1,4 +1,4 @@
-//! Eq. 14 and 15: who is a member of a tile.
+//! Eq. 14 and 15: which Gaussians intersect a tile.
 
 use glam::Vec4;
 use organza_shaders::tile::Tile;

@@ -24,7 +24,7 @@ use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
 /// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](organza_core::Camera::moved) says what they mean.
 pub const POSE: usize = pose_backward::VALUES as usize;
 
-/// The tensors whose gradients `project_backward` adds to one buffer, in this order: that of the table, too.
+/// The tensors whose gradients `project_backward` adds to one buffer, in this order, which is also the table's.
 pub const GEOMETRY: [&str; 4] =
     ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
 
@@ -39,7 +39,7 @@ const NO_FAILURE: [u32; COUNTS as usize] = {
 #[derive(Debug)]
 pub struct SceneGradient {
     pub(crate) tensors: Tensors<TensorGradient>,
-    /// `[11 N]`: those of [`GEOMETRY`], one after the other.
+    /// `[11 N]`: the gradients of [`GEOMETRY`], one after the other.
     pub(crate) geometry: Buffer<f32>,
     /// `[N]`: the sum of |dL/dmean2d| over cameras, the cameras that saw the Gaussian, its largest radius in pixels, 0.
     pub statistics: Buffer<Vec4>,
@@ -49,7 +49,7 @@ pub struct SceneGradient {
     pub(crate) transmittance: FieldGradient,
     /// Whether the transmittance field and the extra vectors are wanted at all.
     pub has_transmittance: bool,
-    /// Those of the cameras' poses, where they are wanted.
+    /// The gradients of the cameras' poses, where they are wanted.
     pub(crate) poses: Option<BinnedGradient>,
     /// `[COUNTS]`: of batches that the host does not wait for.
     pub(crate) counts: Arc<Buffer<u32>>,
@@ -87,7 +87,7 @@ impl SceneGradient {
         Self::with_fields(device, scene, color, transmittance)
     }
 
-    /// The gradient of the Gaussians that the scene has now, which is zero. That of the fields and poses stays.
+    /// The gradient of the Gaussians that the scene has now, which is zero. The gradient of the fields and poses stays.
     ///
     /// # Errors
     /// The same errors as [`Device::zeros`].
@@ -247,7 +247,7 @@ impl SceneGradient {
         touched.for_each(|touched| device.clear(touched));
     }
 
-    /// The gradient on the host; `config` and `len` are those of the scene.
+    /// The gradient on the host; `config` and `len` are the scene's.
     ///
     /// # Errors
     /// The same errors as [`Device::read`].
@@ -272,7 +272,7 @@ impl TensorGradient {
         Ok(device.read_range(&self.buffer, self.range.start, self.range.len())?)
     }
 
-    /// Reads the gradient's values into memory of the caller's. Those of a network are as on a device, see
+    /// Reads the gradient's values into memory of the caller's. A network's values are as on a device, see
     /// [`SceneGradient::download`].
     ///
     /// # Errors

@@ -100,7 +100,7 @@ pub fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Resu
     Ok(())
 }
 
-/// The gradients of Gaussians, and the statistics of growth, as rows: one for each Gaussian in a view batch.
+/// The gradients of Gaussians, and the statistics of densification, as rows: one for each Gaussian in a view batch.
 pub struct Rows<'a> {
     device: &'a Device,
     ranks: &'a dyn Ranks,

@@ -7,7 +7,7 @@ use super::image::{LossInputs, LossTarget, TileLoss, image_loss};
 use super::own::{DeviceLoss, DeviceLossBatch};
 use crate::stages::composite::{CompositedTerm, MaskedTerm, TileGradient};
 use crate::stages::cut::{PartTiles, values_of_tiles};
-use crate::stages::tiles::Bins;
+use crate::stages::tiles::TileBins;
 use muslin_device::{Buffer, Device};
 use organza_core::ranks::Ranks;
 use organza_core::{Error, Result, TileBatch};
@@ -68,13 +68,13 @@ impl LossSource<'_> {
     pub fn backward(
         &mut self,
         device: &Device,
-        plan: &PartTiles,
+        part_tiles: &PartTiles,
         rendered: &Buffer<f32>,
     ) -> Result<TileGradient> {
         match self {
-            Self::Compared(comparison) => comparison.backward(device, plan, rendered),
+            Self::Compared(comparison) => comparison.backward(device, part_tiles, rendered),
             Self::Given(d_tiles) => {
-                let values = values_of_tiles(d_tiles, &plan.places(), 3 * plan.area());
+                let values = values_of_tiles(d_tiles, &part_tiles.places(), 3 * part_tiles.area());
                 let d_tiles = device.upload("gradient of the tiles", &values)?;
                 Ok(TileGradient { d_tiles, terms: Vec::new() })
             }
@@ -82,7 +82,7 @@ impl LossSource<'_> {
     }
 
     /// Queues a look at the loss of [`Self::backward`]: see [`PartCounts::check_loss`](crate::stages::counts::PartCounts::check_loss).
-    pub fn check(&self, device: &Device, bins: &Bins) -> Result<()> {
+    pub fn check(&self, device: &Device, bins: &TileBins) -> Result<()> {
         let (Self::Compared(comparison), Some(counts)) = (self, &bins.part_counts) else {
             return Ok(());
         };
@@ -103,9 +103,9 @@ impl LossSource<'_> {
     }
 
     /// Takes the words of [`Self::buffers`].
-    pub fn take(&mut self, plan: &PartTiles, words: &[Vec<u32>]) {
+    pub fn take(&mut self, part_tiles: &PartTiles, words: &[Vec<u32>]) {
         if let Self::Compared(comparison) = self {
-            comparison.take(plan, words);
+            comparison.take(part_tiles, words);
         }
     }
 }
@@ -118,16 +118,16 @@ impl<'a> Comparison<'a> {
     fn backward(
         &mut self,
         device: &Device,
-        plan: &PartTiles,
+        part_tiles: &PartTiles,
         rendered: &Buffer<f32>,
     ) -> Result<TileGradient> {
         let target = self.target;
-        let area = plan.area();
-        let places = plan.places();
+        let area = part_tiles.area();
+        let places = part_tiles.places();
         let [image, valid] = target.photographs.on_device(device, &places)?;
         let expose = |all: &[f32]| {
             let exposure = values_of_tiles(all, &places, exposure::VALUES);
-            Exposed::new(device, rendered, plan.side, &exposure)
+            Exposed::new(device, rendered, part_tiles.side, &exposure)
         };
         let exposed = target.exposure.map(expose).transpose()?;
         let inputs = LossInputs {
@@ -137,7 +137,7 @@ impl<'a> Comparison<'a> {
             valid_pixels: target.valid_pixels,
             ssim_weight: target.ssim_weight,
         };
-        let output = device.run_in_pool(|| image_loss(device, plan.side, &inputs))?;
+        let output = device.run_in_pool(|| image_loss(device, part_tiles.side, &inputs))?;
         let mut d_tiles = output.grad_tiles;
         match &mut self.own {
             None => {}
@@ -146,7 +146,7 @@ impl<'a> Comparison<'a> {
                 d_tiles = device.upload("gradient of the tiles", &values)?;
             }
             Some(OwnGradient::Device(own)) => {
-                let found = own(&DeviceLossBatch { device, side: plan.side, inputs })?;
+                let found = own(&DeviceLossBatch { device, side: part_tiles.side, inputs })?;
                 check_len(found.grad_tiles.len(), rendered.len())?;
                 self.own_loss = found.loss;
                 d_tiles = found.grad_tiles;
@@ -164,14 +164,14 @@ impl<'a> Comparison<'a> {
         Ok(TileGradient { d_tiles, terms: target.terms.iter().map(masked).collect() })
     }
 
-    fn take(&mut self, plan: &PartTiles, words: &[Vec<u32>]) {
+    fn take(&mut self, part_tiles: &PartTiles, words: &[Vec<u32>]) {
         let rows: Vec<_> =
             words.iter().map(|words| bytemuck::cast_slice::<u32, f32>(words)).collect();
         let of_tile = |at: usize, which: usize| {
-            let len = rows[which].len() / plan.tiles.len();
+            let len = rows[which].len() / part_tiles.tiles.len();
             &rows[which][at * len..][..len]
         };
-        for (at, tile) in plan.tiles.iter().enumerate() {
+        for (at, tile) in part_tiles.tiles.iter().enumerate() {
             let exposure = (rows.len() > 1).then(|| exposure::gradient(of_tile(at, 1)));
             let numbers = TileNumbers {
                 place: tile.place as f64,

@@ -155,7 +155,7 @@ fn scales(valid_pixels: f64, ssim_weight: f32) -> [f64; 2] {
 /// The loss of K tiles of `side` pixels and its gradient; on a GPU they are queued. Takes 196 bytes a pixel until then.
 ///
 /// # Errors
-/// [`Error::Argument`] where the buffers are not those of a number of tiles, for a side of 0 or more than
+/// [`Error::Argument`] where the buffers do not hold a number of tiles, for a side of 0 or more than
 /// [`MAX_TILE_SIDE`], more than 65,535 tiles, or more pixels than 32 bits address; as [`Device::run_over`].
 pub fn image_loss(device: &Device, side: u32, inputs: &LossInputs<'_>) -> Result<LossOutput> {
     let tiles = inputs.tiles(side)?;

@@ -39,7 +39,7 @@ pub struct Pass<'a> {
     pub renderer: &'a Renderer,
     pub scene: &'a DeviceScene,
     pub cameras: &'a [Camera],
-    /// Those that share the batch, if there are several.
+    /// The ranks that share the batch, if there are several.
     pub ranks: Option<&'a dyn Ranks>,
     /// The counts of batches that the host does not wait for: see [`Pass::queue`].
     pub queued: Option<&'a Arc<Buffer<u32>>>,
@@ -60,7 +60,7 @@ pub struct Parts {
 /// A part of a batch.
 #[derive(Debug)]
 pub struct BatchPart {
-    pub plan: PartTiles,
+    pub part_tiles: PartTiles,
     /// Once it is known.
     needed: Option<Capacity>,
     /// Whether a prediction was too small: the host then waits for the counts.
@@ -77,8 +77,8 @@ pub struct BatchPart {
 }
 
 impl Parts {
-    fn new(plans: Vec<PartTiles>, views: usize) -> Self {
-        let list = plans.into_iter().map(BatchPart::new).collect();
+    fn new(parts: Vec<PartTiles>, views: usize) -> Self {
+        let list = parts.into_iter().map(BatchPart::new).collect();
         Self { list, views, room: 0, stays: false }
     }
 
@@ -90,16 +90,16 @@ impl Parts {
 
     /// Whether the last camera of a part continues in the next one.
     fn continues(&self, index: usize) -> bool {
-        let last = self.list[index].plan.tiles.last();
-        let next = self.list.get(index + 1).and_then(|next| next.plan.tiles.first());
+        let last = self.list[index].part_tiles.tiles.last();
+        let next = self.list.get(index + 1).and_then(|next| next.part_tiles.tiles.first());
         last.zip(next).is_some_and(|(last, next)| last.view == next.view)
     }
 }
 
 impl BatchPart {
-    fn new(plan: PartTiles) -> Self {
+    fn new(part_tiles: PartTiles) -> Self {
         Self {
-            plan,
+            part_tiles,
             needed: None,
             waits: false,
             is_for_gradients: false,
@@ -139,8 +139,8 @@ impl<'a> Pass<'a> {
     pub fn cut(&self, batch: &TileBatch) -> Result<Parts> {
         batch.validate(self.cameras)?;
         let bytes = self.renderer.part_bytes();
-        let most = Limits::new(self.scene, batch.side, bytes)?.tiles;
-        let mut tiles = by_camera(batch, most);
+        let max_tiles = Limits::new(self.scene, batch.side, bytes)?.tiles;
+        let mut tiles = by_camera(batch, max_tiles);
         let views = tiles.last().map_or(0, |tile| tile.view + 1);
         if let Some(ranks) = self.ranks {
             tiles.retain(|tile| tile.view % ranks.size() == ranks.rank());
@@ -166,7 +166,7 @@ impl<'a> Pass<'a> {
                 Ok(false) => {}
                 Ok(true) => {
                     at.keep(&mut parts.room);
-                    done += at.plan.tiles.len();
+                    done += at.part_tiles.tiles.len();
                     progress(done);
                     index += 1;
                 }
@@ -181,14 +181,14 @@ impl<'a> Pass<'a> {
         let part = self.evaluate(at, keep)?;
         let (buffers, sums) = output.buffers(part.context(self.scene), &part.composite)?;
         let Some((words, needed)) = self.read(at, buffers)? else { return Ok(false) };
-        output.take(self.device(), &at.plan, sums, words, needed)?;
+        output.take(self.device(), &at.part_tiles, sums, words, needed)?;
         Ok(true)
     }
 
     /// The part, which is rendered unless it was kept.
     fn evaluate<'p>(&self, at: &'p mut BatchPart, keep: bool) -> Result<&'p Part> {
         if at.part.is_none() {
-            let predicts = self.device().leaves_counts_on_device() && !at.waits;
+            let predicts = self.device().has_indirect_counts() && !at.waits;
             at.is_for_gradients = keep;
             let predicted = || self.renderer.predictor().predict(self.kind(at), self.size(at));
             let capacity = if predicts { at.needed.or_else(predicted) } else { None };
@@ -197,14 +197,14 @@ impl<'a> Pass<'a> {
                 None => PartCounts::new(self.device(), capacity),
             });
             let counts = counts.transpose()?;
-            at.part = Some(Part::evaluate(self.scene, self.cameras, &at.plan, keep, counts)?);
+            at.part = Some(Part::evaluate(self.scene, self.cameras, &at.part_tiles, keep, counts)?);
         }
         Ok(at.part.as_ref().expect("it was just made"))
     }
 
     fn kind(&self, at: &BatchPart) -> BatchKind {
         BatchKind {
-            side: at.plan.side,
+            side: at.part_tiles.side,
             is_for_gradients: at.is_for_gradients,
             ray_steps: self.scene.ray_steps,
         }
@@ -212,7 +212,7 @@ impl<'a> Pass<'a> {
 
     /// Tiles and Gaussians.
     fn size(&self, at: &BatchPart) -> [u32; 2] {
-        [at.plan.tiles.len() as u32, self.scene.gaussians]
+        [at.part_tiles.tiles.len() as u32, self.scene.gaussians]
     }
 
     /// Reads buffers of a part, and what it needed. Waits once, or not at all if nothing is left to read. If the part had too
@@ -238,7 +238,7 @@ impl<'a> Pass<'a> {
             at.waits = true;
             return Ok(None);
         };
-        if at.needed.is_none() && self.device().leaves_counts_on_device() {
+        if at.needed.is_none() && self.device().has_indirect_counts() {
             self.renderer.predictor().observe(self.kind(at), self.size(at), needed);
         }
         at.needed = Some(needed);
@@ -325,7 +325,7 @@ impl<'a> Pass<'a> {
                 continue;
             }
             let part = at.part.as_ref().expect("it was evaluated");
-            let d_tiles = loss.backward(device, &at.plan, &part.composite.image)?;
+            let d_tiles = loss.backward(device, &at.part_tiles, &part.composite.image)?;
             if self.queued.is_some() {
                 loss.check(device, &part.bins)?;
             }
@@ -339,7 +339,7 @@ impl<'a> Pass<'a> {
             at.d_splats = Some(d_splats);
             if !is_alone {
                 let Some((words, _)) = self.read(at, loss.buffers())? else { continue };
-                loss.take(&at.plan, &words);
+                loss.take(&at.part_tiles, &words);
                 at.keep(&mut parts.room);
             }
             index += 1;
@@ -391,7 +391,7 @@ impl<'a> Pass<'a> {
         if is_alone && self.queued.is_none() {
             let at = &mut parts.list[0];
             let Some((words, _)) = self.read(at, loss.buffers())? else { return Ok(false) };
-            loss.take(&at.plan, &words);
+            loss.take(&at.part_tiles, &words);
             if !(parts.stays && at.is_kept) {
                 at.release();
             }
@@ -439,15 +439,15 @@ impl<'a> Pass<'a> {
             parts.release();
             return Ok(());
         }
-        if parts.list[range.clone()].iter().all(|at| at.plan.tiles.len() == 1) {
+        if parts.list[range.clone()].iter().all(|at| at.part_tiles.tiles.len() == 1) {
             return if self.renderer.predictor().forget() { Ok(()) } else { Err(error) };
         }
         loop {
             // the next batch will not fit, either
             let bytes = self.renderer.halve_part_bytes();
             let mut pieces = Vec::new();
-            for BatchPart { plan, .. } in &parts.list[range.clone()] {
-                pieces.extend(cut(self.scene, plan.side, &plan.tiles, bytes)?);
+            for BatchPart { part_tiles, .. } in &parts.list[range.clone()] {
+                pieces.extend(cut(self.scene, part_tiles.side, &part_tiles.tiles, bytes)?);
             }
             if pieces.len() > range.len() {
                 parts.list.splice(range, pieces.into_iter().map(BatchPart::new));

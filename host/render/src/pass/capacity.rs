@@ -9,11 +9,11 @@ const BATCHES: usize = 16;
 /// Extra capacity, as a fraction of the largest number that one of them needed.
 const MARGIN: f64 = 0.125;
 /// Extra capacity that does not depend on the batches.
-const LEAST: f64 = 1024.0;
+const MIN_CAPACITY: f64 = 1024.0;
 /// Kernels count items in 32 bits, and some of them in steps of three.
-const MOST: f64 = (u32::MAX / 4) as f64;
+const MAX_CAPACITY: f64 = (u32::MAX / 4) as f64;
 
-/// Batches that need alike many pairs, members and samples for each tile and Gaussian.
+/// Batches that need alike many pairs, intersections and samples for each tile and Gaussian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BatchKind {
     /// Side of a tile, in pixels.
@@ -33,9 +33,9 @@ impl CapacityPredictor {
     pub fn observe(&mut self, kind: BatchKind, [tiles, gaussians]: [u32; 2], needed: Capacity) {
         let seen = self.0.entry(kind).or_default();
         seen.truncate(BATCHES - 1);
-        let Capacity { pairs, members, samples } = needed;
+        let Capacity { pairs, intersections, samples } = needed;
         let size = f64::from(tiles) * f64::from(gaussians);
-        seen.push_front([pairs, members, samples].map(|number| f64::from(number) / size));
+        seen.push_front([pairs, intersections, samples].map(|number| f64::from(number) / size));
     }
 
     /// The capacity for a batch of so many tiles and Gaussians; `None` before the first batch of this kind, or if it exceeds 32 bits.
@@ -43,11 +43,11 @@ impl CapacityPredictor {
         let seen = self.0.get(&kind)?;
         let size = f64::from(tiles) * f64::from(gaussians);
         let capacity = |which: usize| {
-            let most = seen.iter().map(|seen| seen[which]).reduce(f64::max)?;
-            let number = most * size * (1.0 + MARGIN) + LEAST;
-            (number < MOST).then(|| rounded_up(number as u32))
+            let largest = seen.iter().map(|seen| seen[which]).reduce(f64::max)?;
+            let number = largest * size * (1.0 + MARGIN) + MIN_CAPACITY;
+            (number < MAX_CAPACITY).then(|| rounded_up(number as u32))
         };
-        Some(Capacity { pairs: capacity(0)?, members: capacity(1)?, samples: capacity(2)? })
+        Some(Capacity { pairs: capacity(0)?, intersections: capacity(1)?, samples: capacity(2)? })
     }
 
     /// Multiplies what was seen by a factor.
@@ -74,7 +74,7 @@ mod tests {
     const KIND: BatchKind = BatchKind { side: 16, is_for_gradients: true, ray_steps: 1 };
 
     fn needed(samples: u32) -> Capacity {
-        Capacity { pairs: 10, members: 20, samples }
+        Capacity { pairs: 10, intersections: 20, samples }
     }
 
     #[test]
@@ -87,7 +87,7 @@ mod tests {
         }
         let capacity = predictor.predict(KIND, [8, 100]).expect("seen");
         // 22, 45 and 180,000, and 1024 more, with four significant bits
-        assert_eq!(capacity, Capacity { pairs: 1152, members: 1152, samples: 196_608 });
+        assert_eq!(capacity, Capacity { pairs: 1152, intersections: 1152, samples: 196_608 });
         predictor.observe(KIND, [4, 100], needed(8_000));
         let samples = |gaussians| predictor.predict(KIND, [4, gaussians]).expect("seen").samples;
         assert_eq!(samples(100), 10_240);

@@ -26,10 +26,10 @@ impl Renderer {
     /// all the same. A loss on the host sees the whole batch, so that all tiles are read first.
     ///
     /// On a GPU a batch of one part is one wait, for the losses, after a first one that has found out what such batches need;
-    /// a loss of the caller's takes one more. `gradient` is that of a step: but for the statistics, zero before.
+    /// a loss of the caller's takes one more. `gradient` is a step's: but for the statistics, zero before.
     ///
     /// # Errors
-    /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank); those of the caller's loss, and
+    /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank); the errors of the caller's loss, and
     /// [`Error::Argument`](organza_core::Error::Argument) where its gradient has another number of values. The gradient is
     /// then as it was before.
     #[allow(clippy::too_many_arguments)]
@@ -90,7 +90,7 @@ impl Renderer {
         target: &LossTarget<'_>,
         gradient: &SceneGradient,
     ) -> Result<Option<QueuedLoss>> {
-        if target.exposure.is_some() || !self.device().leaves_counts_on_device() {
+        if target.exposure.is_some() || !self.device().has_indirect_counts() {
             return Ok(None);
         }
         let pass = Pass { queued: Some(&gradient.counts), ..self.pass(scene, cameras) };
@@ -101,7 +101,7 @@ impl Renderer {
         };
         let mut buffers = loss.buffers();
         buffers.push(gradient.counts.view());
-        let places = parts.list[0].plan.places();
+        let places = parts.list[0].part_tiles.places();
         Ok(Some(QueuedLoss { kind, size, places, ssim_weight: target.ssim_weight, buffers }))
     }
 }

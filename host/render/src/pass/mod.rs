@@ -5,6 +5,6 @@ pub mod capacity;
 pub mod loss_gradient;
 pub mod output;
 pub mod part;
-pub mod recording;
 pub mod render;
 pub mod renderer;
+pub mod tape;

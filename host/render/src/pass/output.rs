@@ -39,29 +39,30 @@ impl Output<'_> {
     pub fn take(
         &mut self,
         device: &Device,
-        plan: &PartTiles,
+        part_tiles: &PartTiles,
         sums: Option<ChannelSums>,
         mut words: Vec<Vec<u32>>,
         needed: Capacity,
     ) -> Result<()> {
         let degenerate = words.remove(0)[0].into();
-        let [pairs, members, samples] =
-            [needed.pairs, needed.members, needed.samples].map(u64::from);
-        let of_part = RenderReport { parts: 1, pairs, members, samples, degenerate };
+        let [pairs, intersections, samples] =
+            [needed.pairs, needed.intersections, needed.samples].map(u64::from);
+        let of_part = RenderReport { parts: 1, pairs, intersections, samples, degenerate };
         match self {
             Self::Image { image, report } => {
-                let tiles: Vec<_> = plan.tiles.iter().map(|planned| planned.tile).collect();
-                device.run_in_pool(|| image.paste_words(plan.side, &tiles, &words[0]));
+                let tiles: Vec<_> =
+                    part_tiles.tiles.iter().map(|part_tile| part_tile.tile).collect();
+                device.run_in_pool(|| image.paste_words(part_tiles.side, &tiles, &words[0]));
                 report.add(&of_part);
             }
             Self::Tiles { tiles, channels } => {
                 let count = tiles.count;
-                place(plan, count, bytemuck::cast_vec(words.remove(0)), &mut tiles.data)?;
-                let found = sums.map(|sums| sums.resolve(&words, plan.side, channels));
+                place(part_tiles, count, bytemuck::cast_vec(words.remove(0)), &mut tiles.data)?;
+                let found = sums.map(|sums| sums.resolve(&words, part_tiles.side, channels));
                 for (channel, values) in channels.iter().zip(found.into_iter().flatten()) {
                     let all = tiles.channels.get_mut(channel);
                     let all = all.expect("`RenderedTiles::new` has made it");
-                    place(plan, count, values, all)?;
+                    place(part_tiles, count, values, all)?;
                 }
                 tiles.report.add(&of_part);
             }
@@ -70,24 +71,24 @@ impl Output<'_> {
     }
 }
 
-/// Puts the values of a part's tiles into their places among those of `count` tiles.
+/// Puts the values of a part's tiles into their places among the values of `count` tiles.
 fn place(
-    plan: &PartTiles,
+    part_tiles: &PartTiles,
     count: usize,
     values: Vec<f32>,
     all: &mut Vec<f32>,
 ) -> muslin_device::Result<()> {
-    let is_in_order = plan.tiles.iter().enumerate().all(|(place, tile)| tile.place == place);
-    if plan.tiles.len() == count && is_in_order {
+    let is_in_order = part_tiles.tiles.iter().enumerate().all(|(place, tile)| tile.place == place);
+    if part_tiles.tiles.len() == count && is_in_order {
         // new memory costs more than the copy
         *all = values;
         return Ok(());
     }
-    let len = values.len() / plan.tiles.len();
+    let len = values.len() / part_tiles.tiles.len();
     if all.is_empty() {
         *all = memory::zeros(count * len, "the rendered batch")?;
     }
-    for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
+    for (values, tile) in values.chunks_exact(len).zip(&part_tiles.tiles) {
         all[tile.place * len..][..len].copy_from_slice(values);
     }
     Ok(())

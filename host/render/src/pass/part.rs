@@ -12,7 +12,7 @@ use crate::stages::composite::{Composite, TileContext};
 use crate::stages::counts::{Capacity, PartCounts};
 use crate::stages::cut::PartTiles;
 use crate::stages::project::{pose_backward, project, project_backward};
-use crate::stages::tiles::Bins;
+use crate::stages::tiles::TileBins;
 use crate::stages::transmittance::{Transmittance, segments};
 use muslin_device::Buffer;
 use organza_core::{Camera, Result};
@@ -20,7 +20,7 @@ use organza_core::{Camera, Result};
 /// Everything that the stages have written on the device.
 #[derive(Debug)]
 pub struct Part {
-    pub bins: Bins,
+    pub bins: TileBins,
     pub transmittance: Transmittance,
     pub color: Color,
     pub composite: Composite,
@@ -32,15 +32,16 @@ impl Part {
     pub fn evaluate(
         scene: &DeviceScene,
         cameras: &[Camera],
-        plan: &PartTiles,
+        part_tiles: &PartTiles,
         keep: bool,
         counts: Option<PartCounts>,
     ) -> Result<Self> {
         let device = scene.device();
         device.run_in_pool(|| {
-            let used: Vec<_> = plan.cameras().into_iter().map(|index| &cameras[index]).collect();
-            let projection = project(device, scene, &used, &plan.windows())?;
-            let bins = Bins::new(scene, plan, projection, counts)?;
+            let used: Vec<_> =
+                part_tiles.cameras().into_iter().map(|index| &cameras[index]).collect();
+            let projection = project(device, scene, &used, &part_tiles.windows())?;
+            let bins = TileBins::new(scene, part_tiles, projection, counts)?;
             let segments = segments(scene, &bins.pairs)?;
             let samples = bins.count_samples(device, &segments.1)?;
             let transmittance =
@@ -62,7 +63,7 @@ impl Part {
     pub fn capacity(&self) -> Capacity {
         Capacity {
             pairs: self.bins.pairs.count.upper_bound(),
-            members: self.bins.members.upper_bound(),
+            intersections: self.bins.intersections.upper_bound(),
             samples: self.transmittance.samples.upper_bound(),
         }
     }
@@ -98,7 +99,7 @@ impl Part {
         rows: Option<&mut Rows<'_>>,
         continues: bool,
     ) -> Result<()> {
-        let Bins { pairs, pair_mask, cameras, .. } = &self.bins;
+        let TileBins { pairs, pair_mask, cameras, .. } = &self.bins;
         if let Some(poses) = &gradient.poses {
             pose_backward(scene, pairs, pair_mask, cameras, d_splats, poses)?;
         }

@@ -47,7 +47,7 @@ impl Renderer {
     }
 
     /// Renders tiles of one camera into its image, in 8 bits: values are clamped to 0 to 1 and rounded on the device.
-    /// `progress` is that of [`Renderer::render_channels`].
+    /// `progress` as for [`Renderer::render_channels`].
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`].

@@ -10,7 +10,7 @@ use organza_shaders::splat::VECTORS;
 use rayon::prelude::*;
 
 use super::leakage::{OPEN, SURFACE};
-use super::members::{Member, Members, depths, surface};
+use super::pixel_gaussians::{PartSplats, PixelGaussian, depths, surface};
 use crate::pass::part::Part;
 use crate::stages::composite::TileGradient;
 use crate::stages::cut::PartTiles;
@@ -107,7 +107,7 @@ impl Renderer {
             let mut parts = pass.cut(&batch)?;
             let mut index = 0;
             while let Some(at) = parts.list.get(index) {
-                match self.part_sums(scene, camera, &at.plan, depths.as_deref()) {
+                match self.part_sums(scene, camera, &at.part_tiles, depths.as_deref()) {
                     Err(error) => pass.make_room(error, &mut parts, index..index + 1)?,
                     Ok(found) => {
                         index += 1;
@@ -130,27 +130,27 @@ impl Renderer {
         &self,
         scene: &DeviceScene,
         camera: &Camera,
-        plan: &PartTiles,
+        part_tiles: &PartTiles,
         depths: Option<&[f64]>,
     ) -> Result<Vec<(usize, GaussianSums)>> {
         let device = self.device();
-        let d_tiles = device.upload("red of the pixels", &red(camera, plan))?;
+        let d_tiles = device.upload("red of the pixels", &red(camera, part_tiles))?;
         let red = TileGradient { d_tiles, terms: Vec::new() };
-        let part = Part::evaluate(scene, from_ref(camera), plan, false, None)?;
+        let part = Part::evaluate(scene, from_ref(camera), part_tiles, false, None)?;
         let context = part.context(scene);
         let gradient = device.run_in_pool(|| part.composite.backward(context, &red))?;
-        let members = Members::read(device, &part)?;
+        let splats = PartSplats::read(device, &part)?;
         let gradient = device.read(&gradient)?;
         // a pair's third vector has the gradient of its color
         let colors = gradient.chunks_exact(VECTORS as usize).map(|vectors| f64::from(vectors[2].x));
         let sums = colors.map(|pixels| GaussianSums { pixels, ..GaussianSums::default() });
-        let gaussians = members.pair.iter().map(|&gaussian| gaussian as usize);
+        let gaussians = splats.pair.iter().map(|&gaussian| gaussian as usize);
         let mut found: Vec<_> = gaussians.zip(sums).collect();
         if let Some(depths) = depths {
-            let tiles = plan.tiles.par_iter().enumerate();
-            let tiles = tiles.map(|(index, planned)| {
-                let pixels = spaced(planned.tile, plan.side, camera);
-                let pixels = pixels.flat_map(|pixel| in_pixel(members.at(index, pixel, depths)));
+            let tiles = part_tiles.tiles.par_iter().enumerate();
+            let tiles = tiles.map(|(index, part_tile)| {
+                let pixels = spaced(part_tile.tile, part_tiles.side, camera);
+                let pixels = pixels.flat_map(|pixel| in_pixel(splats.at(index, pixel, depths)));
                 pixels.collect::<Vec<_>>()
             });
             found.extend(tiles.flatten().collect::<Vec<_>>());
@@ -160,11 +160,11 @@ impl Renderer {
 }
 
 /// dL/dI `[tiles, 3, S, S]`: 1 in the red channel of pixels inside the image, 0 elsewhere.
-fn red(camera: &Camera, plan: &PartTiles) -> Vec<f32> {
-    let side = plan.side as i32;
+fn red(camera: &Camera, part_tiles: &PartTiles) -> Vec<f32> {
+    let side = part_tiles.side as i32;
     let area = (side * side) as usize;
-    let mut red = vec![0.0; plan.tiles.len() * 3 * area];
-    for (tile, planes) in plan.tiles.iter().zip(red.chunks_mut(3 * area)) {
+    let mut red = vec![0.0; part_tiles.tiles.len() * 3 * area];
+    for (tile, planes) in part_tiles.tiles.iter().zip(red.chunks_mut(3 * area)) {
         let [left, top] = tile.tile.origin;
         let columns = side.min(camera.width as i32 - left) as usize;
         let rows = side.min(camera.height as i32 - top) as usize;
@@ -187,17 +187,17 @@ fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 
 }
 
 /// The contributions of Gaussians to a pixel, and whether they are in front of its surface.
-fn in_pixel(mut members: Vec<Member>) -> Vec<(usize, GaussianSums)> {
-    let Some((surface, sum)) = surface(&mut members) else { return Vec::new() };
+fn in_pixel(mut reaching: Vec<PixelGaussian>) -> Vec<(usize, GaussianSums)> {
+    let Some((surface, sum)) = surface(&mut reaching) else { return Vec::new() };
     if sum < OPEN {
         // it shows the background
         return Vec::new();
     }
-    let of_member = |member: &Member| {
-        let measured = member.weight / sum.max(1.0);
-        let is_in_front = member.depth < (1.0 - SURFACE) * surface;
+    let sums_of = |one: &PixelGaussian| {
+        let measured = one.weight / sum.max(1.0);
+        let is_in_front = one.depth < (1.0 - SURFACE) * surface;
         let in_front = if is_in_front { measured } else { 0.0 };
-        (member.gaussian, GaussianSums { measured, in_front, ..GaussianSums::default() })
+        (one.gaussian, GaussianSums { measured, in_front, ..GaussianSums::default() })
     };
-    members.iter().map(of_member).collect()
+    reaching.iter().map(sums_of).collect()
 }

@@ -17,7 +17,7 @@ use crate::stages::cut::PartTiles;
 use crate::stages::pairs::Pairs;
 use crate::stages::project::project;
 use crate::stages::scan::total;
-use crate::stages::tiles::Bins;
+use crate::stages::tiles::TileBins;
 use crate::stages::transmittance::{Transmittance, segments};
 use crate::{Capacity, DeviceScene};
 use muslin_device::{Buffer, Count, Device, memory};
@@ -69,8 +69,8 @@ pub struct EyeOptions<'a> {
     pub channels: &'a [Channel],
     /// The length of T's steps in multiples of sigma, Eq. 8. With 1, the image equals the one of [`Renderer::render`].
     pub steps: u16,
-    /// `[least, most]`: an image may show values of another eye. Each image computes all values that are unknown. It also
-    /// renews old values: more if the eye moves faster, at least `least` and at most `most`. `None`: all values are of this
+    /// `[min, max]`: an image may show values of another eye. Each image computes all values that are unknown. It also
+    /// renews old values: more if the eye moves faster, at least `min` and at most `max`. `None`: all values are of this
     /// eye.
     pub renewed: Option<[usize; 2]>,
     /// Replaces the scene's background.
@@ -119,7 +119,7 @@ impl EyeCache {
         let is_missing =
             |&at: &u32| !self.is_current(at) || self.steps[at as usize] > options.steps;
         let missing = gaussians.iter().copied().filter(is_missing);
-        let Some([least, most]) = options.renewed else { return missing.collect() };
+        let Some([min, max]) = options.renewed else { return missing.collect() };
         // neighbors are renewed at different times, so that old values look like faint noise, not like a hole
         let scattered = |at: u32| 1.0 + at.wrapping_mul(0x9e37_79b9) as f32 / u32::MAX as f32;
         let age = |at| self.moved(self.eyes[at as usize], at) * scattered(at);
@@ -129,7 +129,7 @@ impl EyeCache {
         let unknown = missing.partition_point(|(age, _)| *age > f32::MAX);
         let overdue = missing.partition_point(|(age, _)| *age > 2.0) - unknown;
         let share: f32 = gaussians.iter().map(|&at| self.moved(self.eye_before, at).min(1.0)).sum();
-        missing.truncate(unknown + overdue.max(share as usize).max(least).min(most));
+        missing.truncate(unknown + overdue.max(share as usize).max(min).min(max));
         missing.into_iter().map(|(_, at)| at).collect()
     }
 
@@ -137,7 +137,7 @@ impl EyeCache {
     fn complete(
         &mut self,
         scene: &DeviceScene,
-        bins: &Bins,
+        bins: &TileBins,
         gaussians: &[u32],
         options: &EyeOptions<'_>,
     ) -> Result<Option<u32>> {
@@ -191,13 +191,13 @@ impl EyeCache {
         &mut self,
         scene: &DeviceScene,
         camera: &Camera,
-        plan: &PartTiles,
+        part_tiles: &PartTiles,
         options: &EyeOptions<'_>,
         tiles: &mut RenderedTiles,
     ) -> Result<bool> {
         let device = scene.device();
-        let projection = project(device, scene, &[camera], &plan.windows())?;
-        let bins = Bins::new(scene, plan, projection, None)?;
+        let projection = project(device, scene, &[camera], &part_tiles.windows())?;
+        let bins = TileBins::new(scene, part_tiles, projection, None)?;
         // with one camera, a pair is its Gaussian
         let gaussians = device.read(&bins.pairs.pair)?;
         let begin = Instant::now();
@@ -211,14 +211,14 @@ impl EyeCache {
         let mut output = Output::Tiles { tiles, channels: options.channels };
         let (buffers, sums) = output.buffers(context, &composite)?;
         let pairs = gaussians.len() as u32;
-        let needed = Capacity { pairs, members: bins.members.upper_bound(), samples };
-        output.take(device, plan, sums, device.read_all(&buffers)?, needed)?;
+        let needed = Capacity { pairs, intersections: bins.intersections.upper_bound(), samples };
+        output.take(device, part_tiles, sums, device.read_all(&buffers)?, needed)?;
         Ok(true)
     }
 }
 
 /// Pairs of some Gaussians and the camera of `bins`.
-fn pairs_of(device: &Device, bins: &Bins, gaussians: &[u32]) -> muslin_device::Result<Pairs> {
+fn pairs_of(device: &Device, bins: &TileBins, gaussians: &[u32]) -> muslin_device::Result<Pairs> {
     Ok(Pairs {
         count: Count::known(gaussians.len() as u32),
         pair: device.upload("pairs", gaussians)?,
@@ -249,7 +249,7 @@ impl Renderer {
         let mut tiles = RenderedTiles::new(batch, options.channels)?;
         let mut index = 0;
         while let Some(at) = parts.list.get(index) {
-            let render = || cache.render(scene, camera, &at.plan, options, &mut tiles);
+            let render = || cache.render(scene, camera, &at.part_tiles, options, &mut tiles);
             match device.run_in_pool(render) {
                 Ok(true) => index += 1,
                 Ok(false) => return Ok(None),
@@ -263,12 +263,12 @@ impl Renderer {
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`].
-    pub fn count_members(&self, scene: &DeviceScene, camera: &Camera) -> Result<Vec<u32>> {
+    pub fn count_gaussians(&self, scene: &DeviceScene, camera: &Camera) -> Result<Vec<u32>> {
         let device = self.device();
         let projection = project(device, scene, &[camera], &[EVERYWHERE])?;
         let projection = device.read(&projection.values)?;
         let width = camera.width as usize;
-        let mut count = memory::zeros(width * camera.height as usize, "members of pixels")?;
+        let mut count = memory::zeros(width * camera.height as usize, "Gaussians of pixels")?;
         const ROWS: usize = 16;
         count.par_chunks_mut(ROWS * width).enumerate().for_each(|(band, count)| {
             let top = band * ROWS;

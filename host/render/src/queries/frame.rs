@@ -2,10 +2,10 @@
 
 use crate::pass::part::Part;
 use crate::stages::counts::PartCounts;
-use crate::stages::cut::{PartTiles, PlannedTile};
+use crate::stages::cut::{PartTile, PartTiles};
 use crate::stages::project::project;
 use crate::stages::scan::total;
-use crate::stages::tiles::Bins;
+use crate::stages::tiles::TileBins;
 use crate::stages::transmittance::segments;
 use crate::{Capacity, DeviceScene, Renderer};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
@@ -34,7 +34,7 @@ pub struct Frame {
     pub camera: u32,
     /// `[tiles, 4]`: as [`organza_shaders::tile::Tile`] packs them.
     pub tiles: u32,
-    /// The capacity that the frame needed: a flag for an overflow, pairs, members and samples.
+    /// The capacity that the frame needed: a flag for an overflow, pairs, intersections and samples.
     pub counts: u32,
     /// `[tiles, 3, S, S]`
     pub image: u32,
@@ -50,13 +50,13 @@ impl Renderer {
         steps: &[u16],
     ) -> Result<Vec<Capacity>> {
         let batch = TileBatch::cover(0, camera.width, camera.height, side)?;
-        let mut needed = vec![Capacity { pairs: 0, members: 0, samples: 0 }; steps.len()];
-        for plan in PartTiles::split(scene, &batch, self.part_bytes())? {
+        let mut needed = vec![Capacity { pairs: 0, intersections: 0, samples: 0 }; steps.len()];
+        for part_tiles in PartTiles::split(scene, &batch, self.part_bytes())? {
             let device = self.device();
-            let projection = project(device, scene, &[camera], &plan.windows())?;
-            let bins = Bins::new(scene, &plan, projection, None)?;
+            let projection = project(device, scene, &[camera], &part_tiles.windows())?;
+            let bins = TileBins::new(scene, &part_tiles, projection, None)?;
             let pairs = bins.pairs.count.upper_bound();
-            let members = bins.members.upper_bound();
+            let intersections = bins.intersections.upper_bound();
             for (&steps, needed) in steps.iter().zip(&mut needed) {
                 let scene = &scene.with_ray_steps(steps.into());
                 let (_, first_sample) = segments(scene, &bins.pairs)?;
@@ -64,7 +64,7 @@ impl Renderer {
                 *needed = Capacity {
                     // a pair counts once for each part that has it, so this may be more than needed
                     pairs: needed.pairs.saturating_add(pairs).min(scene.gaussians),
-                    members: needed.members.saturating_add(members),
+                    intersections: needed.intersections.saturating_add(intersections),
                     samples: needed.samples.saturating_add(samples),
                 };
             }
@@ -83,15 +83,15 @@ impl Renderer {
         // A frame may put its tiles anywhere to the right and below: Gaussians there must not be culled.
         let origin = |place| if place == 0 { [0, 0] } else { [MAX_IMAGE_SIDE as i32; 2] };
         let tile =
-            |place| PlannedTile { tile: Tile { camera: 0, origin: origin(place) }, place, view: 0 };
-        let plan =
+            |place| PartTile { tile: Tile { camera: 0, origin: origin(place) }, place, view: 0 };
+        let part_tiles =
             PartTiles { side: shape.side, tiles: (0..shape.tiles as usize).map(tile).collect() };
         let eye = [0.0, -1.0, 0.0];
         let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 1.0, [shape.side; 2])?;
         let camera = std::slice::from_ref(&camera);
         let scene = &scene.with_ray_steps(shape.steps.into());
         let counts = PartCounts::new(device, shape.capacity)?;
-        let part = Part::evaluate(scene, camera, &plan, false, Some(counts))?;
+        let part = Part::evaluate(scene, camera, &part_tiles, false, Some(counts))?;
         let bins = &part.bins;
         let counts = bins.part_counts.as_ref().expect("there is a capacity").counts.planned();
         let number = |buffer: Option<u32>| buffer.expect("the device is a planner");

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::members::{Member, Members, depths, surface};
+use super::pixel_gaussians::{PartSplats, PixelGaussian, depths, surface};
 use crate::pass::part::Part;
 use crate::{DeviceScene, Renderer};
 use organza_core::{Camera, Error, Result, Tile, TileBatch};
@@ -20,7 +20,8 @@ pub struct Leakage {
     /// Pixels that some Gaussian reaches: the means are over these.
     pub pixels: u64,
     /// Gaussians that reach a pixel.
-    pub members: f64,
+    #[serde(rename = "members")]
+    pub gaussians: f64,
     /// Share of a pixel's weight that is more than 12% deeper than its surface, 0 to 1.
     pub behind: f64,
     /// Share of a pixel's weight that is more than 12% nearer than its surface, 0 to 1.
@@ -31,15 +32,15 @@ pub struct Leakage {
 
 impl Leakage {
     /// The leakage of one pixel.
-    fn from_members(members: &mut [Member]) -> Self {
-        let Some((surface, sum)) = surface(members) else { return Self::default() };
+    fn from_gaussians(reaching: &mut [PixelGaussian]) -> Self {
+        let Some((surface, sum)) = surface(reaching) else { return Self::default() };
         let share = |is_there: &dyn Fn(f64) -> bool| {
-            let there = members.iter().filter(|member| is_there(member.depth));
-            there.map(|member| member.weight).sum::<f64>() / sum
+            let there = reaching.iter().filter(|one| is_there(one.depth));
+            there.map(|one| one.weight).sum::<f64>() / sum
         };
         Self {
             pixels: 1,
-            members: members.len() as f64,
+            gaussians: reaching.len() as f64,
             behind: share(&|depth| depth > (1.0 + SURFACE) * surface),
             in_front: share(&|depth| depth < (1.0 - SURFACE) * surface),
             open: f64::from(u8::from(sum < OPEN)),
@@ -56,7 +57,7 @@ impl Leakage {
         };
         Self {
             pixels,
-            members: mean(|part| part.members),
+            gaussians: mean(|part| part.gaussians),
             behind: mean(|part| part.behind),
             in_front: mean(|part| part.in_front),
             open: mean(|part| part.open),
@@ -65,35 +66,37 @@ impl Leakage {
 }
 
 impl Renderer {
-    /// Measures where the weight of one view's pixels lies. The pixels are evenly spaced, at most `most` of them.
+    /// Measures where the weight of one view's pixels lies. The pixels are evenly spaced, at most `max` of them.
     ///
     /// # Errors
-    /// [`Error::Argument`] where `most` is 0; else as [`Renderer::render`].
+    /// [`Error::Argument`] where `max` is 0; else as [`Renderer::render`].
     pub fn leakage(
         &self,
         scene: &DeviceScene,
         cameras: &[Camera],
         camera: usize,
-        most: u32,
+        max: u32,
     ) -> Result<Leakage> {
         let device = self.device();
-        let batch = spaced(cameras, camera, most)?;
+        let batch = spaced(cameras, camera, max)?;
         let depths = depths(&device.read(&scene.tensors.gaussians.position)?, &cameras[camera]);
         let mut found = Vec::with_capacity(batch.tiles.len());
         let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(&batch)?;
         let mut index = 0;
         while let Some(at) = parts.list.get(index) {
-            let members = Part::evaluate(scene, cameras, &at.plan, false, None)
-                .and_then(|part| Members::read(device, &part));
-            match members {
+            let splats = Part::evaluate(scene, cameras, &at.part_tiles, false, None)
+                .and_then(|part| PartSplats::read(device, &part));
+            match splats {
                 Err(error) => pass.make_room(error, &mut parts, index..index + 1)?,
-                Ok(members) => {
+                Ok(splats) => {
                     index += 1;
-                    found.extend(at.plan.tiles.iter().enumerate().map(|(tile, planned)| {
-                        let mut members = members.at(tile, planned.tile.origin, &depths);
-                        Leakage::from_members(&mut members)
-                    }));
+                    found.extend(at.part_tiles.tiles.iter().enumerate().map(
+                        |(tile, part_tile)| {
+                            let mut reaching = splats.at(tile, part_tile.tile.origin, &depths);
+                            Leakage::from_gaussians(&mut reaching)
+                        },
+                    ));
                 }
             }
         }
@@ -102,17 +105,16 @@ impl Renderer {
 }
 
 /// Evenly spaced pixels of a view, as tiles.
-fn spaced(cameras: &[Camera], camera: usize, most: u32) -> Result<TileBatch> {
+fn spaced(cameras: &[Camera], camera: usize, max: u32) -> Result<TileBatch> {
     let none = TileBatch { side: 1, tiles: vec![Tile { camera, origin: [0, 0] }] };
     none.validate(cameras)?;
-    if most == 0 {
+    if max == 0 {
         return Err(Error::Argument { reason: "0 pixels of a view were asked for".to_owned() });
     }
     let size = [cameras[camera].width, cameras[camera].height];
     let count =
         |stride: u32| size.iter().map(|&side| u64::from(side.div_ceil(stride))).product::<u64>();
-    let stride =
-        (1..=u32::MAX).find(|&stride| count(stride) <= u64::from(most)).unwrap_or(u32::MAX);
+    let stride = (1..=u32::MAX).find(|&stride| count(stride) <= u64::from(max)).unwrap_or(u32::MAX);
     let along = |side: u32| {
         let last = side - 1;
         (0..side).step_by(stride as usize).map(move |at| (at + stride / 2).min(last) as i32)
@@ -132,18 +134,19 @@ mod tests {
     #[test]
     fn shares_are_of_the_weight_around_the_median_depth() {
         // the surface is at 2: 1 + 3 of 10 are nearer than half, 5 reaches it
-        let members = [(9.0, 1.0), (2.2, 2.0), (2.0, 3.0), (1.9, 3.0), (1.0, 1.0)];
+        let reaching = [(9.0, 1.0), (2.2, 2.0), (2.0, 3.0), (1.9, 3.0), (1.0, 1.0)];
         for scale in [1.0, 0.05] {
-            let member = |(depth, weight)| Member { gaussian: 0, depth, weight: weight * scale };
-            let mut members = members.map(member);
-            let found = Leakage::from_members(&mut members);
+            let one =
+                |(depth, weight)| PixelGaussian { gaussian: 0, depth, weight: weight * scale };
+            let mut reaching = reaching.map(one);
+            let found = Leakage::from_gaussians(&mut reaching);
             let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{found:?}");
             close(found.behind, 0.1);
             close(found.in_front, 0.1);
-            close(found.members, 5.0);
+            close(found.gaussians, 5.0);
             close(found.open, if scale < 0.1 { 1.0 } else { 0.0 });
         }
-        assert_eq!(Leakage::from_members(&mut []), Leakage::default());
+        assert_eq!(Leakage::from_gaussians(&mut []), Leakage::default());
         let parts = [(1, 0.5), (3, 0.1), (0, 0.9)].map(|(pixels, behind)| Leakage {
             pixels,
             behind,
@@ -171,7 +174,7 @@ mod tests {
         let renderer = Renderer::new(devices::cpu(Some(1)));
         let scene = renderer.upload(&scene).unwrap();
         let found = renderer.leakage(&scene, &[camera], 0, 16).unwrap();
-        assert_eq!((found.pixels, found.members, found.open, found.behind), (1, 3.0, 0.0, 0.0));
+        assert_eq!((found.pixels, found.gaussians, found.open, found.behind), (1, 3.0, 0.0, 0.0));
         assert!((found.in_front - 0.5 / 1.6).abs() < 1e-5, "{found:?}");
     }
 

@@ -4,5 +4,5 @@ pub mod contribution;
 pub mod eye;
 pub mod frame;
 pub mod leakage;
-pub mod members;
 pub mod pixel;
+pub mod pixel_gaussians;

@@ -195,8 +195,8 @@ impl Renderer {
         let device = self.device();
         let rays = part.transmittance.rays(scene, &part.bins.pairs)?;
         let splat = device.read(&part.composite.splat)?;
-        let trace = |member: u32| {
-            let index = member as usize;
+        let trace = |intersection: u32| {
+            let index = intersection as usize;
             let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
             Trace {
                 mean2d: [placed.x, placed.y],
@@ -204,7 +204,7 @@ impl Renderer {
                 ray: rays[index].clone(),
             }
         };
-        let traces = device.read(&part.bins.member)?.into_iter().map(trace).collect();
+        let traces = device.read(&part.bins.intersection)?.into_iter().map(trace).collect();
         Ok((inspection, traces))
     }
 
@@ -218,8 +218,8 @@ impl Renderer {
         let device = self.device();
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
         batch.validate(cameras)?;
-        let plans = PartTiles::split(scene, &batch, PART_BYTES)?;
-        let part = Part::evaluate(scene, cameras, &plans[0], false, None)?;
+        let parts = PartTiles::split(scene, &batch, PART_BYTES)?;
+        let part = Part::evaluate(scene, cameras, &parts[0], false, None)?;
 
         let pair = device.read(&part.bins.pairs.pair)?;
         let first = device.read(&part.transmittance.first_sample)?;
@@ -232,8 +232,8 @@ impl Renderer {
 
         let mut sum = Vec4::ZERO;
         let mut contributions = Vec::new();
-        for member in device.read(&part.bins.member)? {
-            let index = member as usize;
+        for intersection in device.read(&part.bins.intersection)? {
+            let index = intersection as usize;
             let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
             let color = color[index];
             let d = center - Vec2::new(placed.x, placed.y);

@@ -107,7 +107,7 @@ impl DeviceScene {
     /// Replaces a tensor's values, after everything that was dispatched before. `name` is a name of [`Scene::tensors`], such
     /// as `gaussians.position` or `color.mlp.0.weight`; values are row-major. Nothing is allocated on a CPU.
     ///
-    /// A [`Recording`](crate::Recording) of the scene as it was before has no gradient anymore.
+    /// A [`Tape`](crate::Tape) of the scene as it was before has no gradient anymore.
     ///
     /// # Errors
     /// [`Error::Argument`] where there is no such tensor, or where the scene was uploaded as halves;

@@ -27,13 +27,13 @@ fn source(channel: Channel) -> Source {
 
 /// A pixel of less weight shows no Gaussian. A GPU may take numbers below 1.2e-38 for 0, so means with such weights would
 /// depend on the device.
-const LEAST_WEIGHT: f32 = 1e-30;
+const MIN_WEIGHT: f32 = 1e-30;
 
 /// One tile's channel `[planes, S, S]` from its sums `[4, S, S]`, in the units and axes of the world.
 fn resolve(channel: Channel, sum: &[f32], area: usize, placement: &Placement) -> Vec<f32> {
     let weight = &sum[3 * area..];
     // NaN is covered: it shows the pixels of an overflowing network.
-    let is_empty = |weight: f32| weight < LEAST_WEIGHT;
+    let is_empty = |weight: f32| weight < MIN_WEIGHT;
     let covered = |value: f32, weight: f32| if is_empty(weight) { 0.0 } else { value };
     let mean = |plane: usize| {
         let sum = &sum[plane * area..][..area];

@@ -11,7 +11,7 @@ use super::field::Inputs;
 use super::field::backward::FieldBackward;
 use super::field::samples::{Blocks, Chunks};
 use super::pairs::{PairVectors, Pairs};
-use super::tiles::Bins;
+use super::tiles::TileBins;
 use crate::gradient::SceneGradient;
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Result};
@@ -50,7 +50,7 @@ impl Color {
     pub fn backward(
         &self,
         scene: &DeviceScene,
-        bins: &Bins,
+        bins: &TileBins,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<Option<PairVectors>> {

@@ -5,7 +5,7 @@ use organza_shaders::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
 use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
-use organza_shaders::limits::MAX_MEMBERS;
+use organza_shaders::limits::MAX_INTERSECTIONS;
 use organza_shaders::pixels::{PixelsKernel, PixelsParams};
 use organza_shaders::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
 use organza_shaders::splat::{
@@ -14,7 +14,7 @@ use organza_shaders::splat::{
 use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
 use super::cut::words;
-use super::tiles::Bins;
+use super::tiles::TileBins;
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Device, Error, Result};
 
@@ -22,7 +22,7 @@ use muslin_device::{Buffer, Device, Error, Result};
 #[derive(Clone, Copy)]
 pub struct TileContext<'a> {
     pub scene: &'a DeviceScene,
-    pub bins: &'a Bins,
+    pub bins: &'a TileBins,
     /// `[pairs]`
     pub transmittance: &'a Buffer<f32>,
 }
@@ -112,12 +112,12 @@ impl Composite {
             sum_gradient: &sum_gradient,
         };
         device.run_over(&kernel, [side, side, bins.tiles])?;
-        let member_gradient = members_gradient(device, bins)?;
-        add_members(context, (&self.splat, true), &sum_gradient, &member_gradient)?;
+        let intersection_gradient = intersections_gradient(device, bins)?;
+        add_intersections(context, (&self.splat, true), &sum_gradient, &intersection_gradient)?;
         for MaskedTerm { term, valid, factor } in &gradient.terms {
             let (sum, splat) = weighted_sum(context, &(term.values)(context)?)?;
             let sum_gradient = (term.backward)(context, &sum, valid, *factor)?;
-            add_members(context, (&splat, false), &sum_gradient, &member_gradient)?;
+            add_intersections(context, (&splat, false), &sum_gradient, &intersection_gradient)?;
         }
 
         let pairs = &bins.pairs;
@@ -133,10 +133,10 @@ impl Composite {
             pair: &pairs.pair,
             first_tile: &bins.first_tile,
             tile_mask: &bins.tile_mask.bits,
-            first_member: &bins.tile_mask.first,
+            first_intersection: &bins.tile_mask.first,
             opacity: &scene.tensors.gaussians.opacity,
             transmittance,
-            member_gradient: &member_gradient,
+            intersection_gradient: &intersection_gradient,
             pair_gradient: &pair_gradient,
         };
         device.run(&kernel.counted(&pairs.count), capacity, 1)?;
@@ -144,33 +144,33 @@ impl Composite {
     }
 }
 
-/// Zeros for the gradient of each tile's members, `[members, 3]`.
-fn members_gradient(device: &Device, bins: &Bins) -> Result<Buffer<Vec4>> {
-    let members = bins.members.upper_bound();
-    let bytes = u64::from(members) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
+/// Zeros for the gradient of each tile's intersections, `[intersections, 3]`.
+fn intersections_gradient(device: &Device, bins: &TileBins) -> Result<Buffer<Vec4>> {
+    let intersections = bins.intersections.upper_bound();
+    let bytes = u64::from(intersections) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
     // kernels number the vectors in 32 bits
-    if members > u32::MAX / VECTORS {
-        let what = format!("the gradients of {members} members");
+    if intersections > u32::MAX / VECTORS {
+        let what = format!("the gradients of {intersections} intersections");
         return Err(Error::OutOfMemory { needed: bytes, available: None, what });
     }
-    device.zeros("gradient of the members", (members * VECTORS) as usize)
+    device.zeros("gradient of the intersections", (intersections * VECTORS) as usize)
 }
 
-/// Adds the gradients of each tile's members, summed over its pixels, in bands of rows if a tile is large. `colors` also asks
+/// Adds the gradients of each tile's intersections, summed over its pixels, in bands of rows if a tile is large. `colors` also asks
 /// for the gradient of the splats' colors.
-fn add_members(
+fn add_intersections(
     TileContext { scene, bins, .. }: TileContext<'_>,
     (splat, colors): (&Buffer<Vec4>, bool),
     sum_gradient: &Buffer<f32>,
-    member_gradient: &Buffer<Vec4>,
+    intersection_gradient: &Buffer<Vec4>,
 ) -> Result<()> {
     let side = bins.side;
-    let members = bins.members.upper_bound();
+    let intersections = bins.intersections.upper_bound();
     let band = band_rows(side);
     for first_row in (0..side).step_by(band as usize) {
         let kernel = CompositeBackwardKernel {
             params: CompositeBackwardParams {
-                members,
+                intersections,
                 tiles: bins.tiles,
                 side,
                 first_row,
@@ -180,12 +180,12 @@ fn add_members(
             },
             tile: &bins.tile,
             tile_first: &bins.tile_first,
-            member: &bins.member,
+            intersection: &bins.intersection,
             splat,
             sum_gradient,
-            member_gradient,
+            intersection_gradient,
         };
-        scene.device().run(&kernel.counted(&bins.members), members, 1)?;
+        scene.device().run(&kernel.counted(&bins.intersections), intersections, 1)?;
     }
     Ok(())
 }
@@ -217,26 +217,26 @@ pub fn weighted_sum(
     device.run(&kernel.counted(&pairs.count), capacity, 1)?;
 
     let tiles = bins.tiles;
-    let members = bins.members.upper_bound();
-    let cells = device.unwritten("cells", members as usize)?;
+    let intersections = bins.intersections.upper_bound();
+    let cells = device.unwritten("cells", intersections as usize)?;
     let kernel = TileCellsKernel {
-        params: TileCellsParams { members, tiles, side },
+        params: TileCellsParams { intersections, tiles, side },
         tile: &bins.tile,
         tile_first: &bins.tile_first,
-        member: &bins.member,
+        intersection: &bins.intersection,
         splat: &splat,
         cells: &cells,
     };
-    device.run(&kernel.counted(&bins.members), members, 1)?;
+    device.run(&kernel.counted(&bins.intersections), intersections, 1)?;
 
     let pixels = tiles as usize * (side * side) as usize;
     let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
-    for pass in 0..bins.largest.div_ceil(MAX_MEMBERS) {
+    for pass in 0..bins.largest.div_ceil(MAX_INTERSECTIONS) {
         let kernel = CompositeKernel {
-            params: CompositeParams { side, skip: pass * MAX_MEMBERS },
+            params: CompositeParams { side, skip: pass * MAX_INTERSECTIONS },
             tile: &bins.tile,
             tile_first: &bins.tile_first,
-            member: &bins.member,
+            intersection: &bins.intersection,
             cells: &cells,
             splat: &splat,
             sum: &sum,

@@ -1,11 +1,11 @@
-//! How many pairs, members and samples a part has, as numbers that stay on the device.
+//! How many pairs, intersections and samples a part has, as numbers that stay on the device.
 
 use std::sync::Arc;
 
 use glam::Vec4;
 use muslin::count::OVERFLOW;
 use organza_shaders::count::{
-    COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalKernel,
+    COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, INTERSECTIONS, PAIRS, RecordTotalKernel,
     RecordTotalParams, SAMPLES,
 };
 use organza_shaders::loss::{LossCheckKernel, LossCheckParams};
@@ -18,8 +18,8 @@ use muslin_device::{Buffer, Count, Device, Result};
 pub struct Capacity {
     /// (Gaussian, camera) pairs.
     pub pairs: u32,
-    /// (Gaussian, tile) memberships.
-    pub members: u32,
+    /// Tile intersections.
+    pub intersections: u32,
     /// Samples of the transmittance network.
     pub samples: u32,
 }
@@ -27,8 +27,9 @@ pub struct Capacity {
 impl Capacity {
     /// What a part needed, from the values of `PartCounts::counts`; none if that was more than it had: it is empty.
     pub fn needed(counts: &[u32]) -> Option<Self> {
-        let [pairs, members, samples] = [PAIRS, MEMBERS, SAMPLES].map(|slot| counts[slot as usize]);
-        (counts[OVERFLOW as usize] == 0).then_some(Self { pairs, members, samples })
+        let [pairs, intersections, samples] =
+            [PAIRS, INTERSECTIONS, SAMPLES].map(|slot| counts[slot as usize]);
+        (counts[OVERFLOW as usize] == 0).then_some(Self { pairs, intersections, samples })
     }
 }
 
@@ -49,9 +50,9 @@ impl PartCounts {
 
     /// The same in a buffer `[COUNTS]`. If a part before has raised [`OVERFLOW`] there, this one is empty, too.
     pub fn with(counts: Arc<Buffer<u32>>, capacity: Capacity) -> Self {
-        let Capacity { pairs, members, samples } = capacity;
+        let Capacity { pairs, intersections, samples } = capacity;
         let mut capacity = [0; COUNTS as usize];
-        for (slot, number) in [(PAIRS, pairs), (MEMBERS, members), (SAMPLES, samples)] {
+        for (slot, number) in [(PAIRS, pairs), (INTERSECTIONS, intersections), (SAMPLES, samples)] {
             capacity[slot as usize] = number;
         }
         Self { counts, capacity }

@@ -15,26 +15,25 @@ pub const PART_BYTES: u64 = 512 << 20;
 #[derive(Clone, Debug)]
 pub struct PartTiles {
     pub side: u32,
-    pub tiles: Vec<PlannedTile>,
+    pub tiles: Vec<PartTile>,
 }
 
 /// A tile and its place in the batch.
 #[derive(Clone, Copy, Debug)]
-pub struct PlannedTile {
+pub struct PartTile {
     pub tile: Tile,
     pub place: usize,
     /// The number of its view batch, ascending with the camera.
     pub view: usize,
 }
 
-/// Sorts a batch's tiles by camera. A view batch has at most `most` tiles of one camera.
-pub fn by_camera(batch: &TileBatch, most: usize) -> Vec<PlannedTile> {
+/// Sorts a batch's tiles by camera. A view batch has at most `max_tiles` tiles of one camera.
+pub fn by_camera(batch: &TileBatch, max_tiles: usize) -> Vec<PartTile> {
     let tiles = batch.tiles.iter().enumerate();
-    let mut tiles: Vec<_> =
-        tiles.map(|(place, &tile)| PlannedTile { tile, place, view: 0 }).collect();
+    let mut tiles: Vec<_> = tiles.map(|(place, &tile)| PartTile { tile, place, view: 0 }).collect();
     tiles.sort_by_key(|tile| tile.tile.camera);
     let of_cameras = tiles.chunk_by_mut(|a, b| a.tile.camera == b.tile.camera);
-    for (view, tiles) in of_cameras.flat_map(|tiles| tiles.chunks_mut(most)).enumerate() {
+    for (view, tiles) in of_cameras.flat_map(|tiles| tiles.chunks_mut(max_tiles)).enumerate() {
         tiles.iter_mut().for_each(|tile| tile.view = view);
     }
     tiles
@@ -44,7 +43,7 @@ pub fn by_camera(batch: &TileBatch, most: usize) -> Vec<PlannedTile> {
 pub fn cut(
     scene: &DeviceScene,
     side: u32,
-    tiles: &[PlannedTile],
+    tiles: &[PartTile],
     part_bytes: u64,
 ) -> Result<Vec<PartTiles>> {
     let limits = Limits::new(scene, side, part_bytes)?;
@@ -95,7 +94,7 @@ impl PartTiles {
 
     /// The smallest rectangle of each camera's image that contains its tiles.
     pub fn windows(&self) -> Vec<[f32; WINDOW]> {
-        let of_camera = |tiles: &[PlannedTile]| {
+        let of_camera = |tiles: &[PartTile]| {
             let origins = |axis: usize| tiles.iter().map(move |tile| tile.tile.origin[axis]);
             let low = |axis| origins(axis).min().unwrap_or(0) as f32;
             let high = |axis| origins(axis).max().unwrap_or(0) as f32 + self.side as f32;
@@ -110,14 +109,14 @@ impl PartTiles {
         let mut packed = Vec::with_capacity(self.tiles.len() * KernelTile::INTEGERS);
         let mut first_tile = vec![0; cameras.len() + 1];
         let mut slot = 0;
-        for (index, planned) in self.tiles.iter().enumerate() {
-            if cameras[slot] != planned.tile.camera {
+        for (index, part_tile) in self.tiles.iter().enumerate() {
+            if cameras[slot] != part_tile.tile.camera {
                 slot += 1;
                 first_tile[slot] = index as u32;
             }
             let tile = KernelTile {
                 camera: slot as u32,
-                origin: planned.tile.origin,
+                origin: part_tile.tile.origin,
                 output: index as u32,
             };
             packed.extend(tile.pack());
@@ -150,10 +149,10 @@ impl Limits {
         let gaussians = u64::from(scene.gaussians);
         // projection: two vectors for each Gaussian and camera; pairs are numbered in 31 bits
         let camera_bytes = gaussians * 32;
-        let most_cameras =
+        let max_cameras =
             (buffer / camera_bytes).min((1 << 31) / gaussians).min(u64::from(MAX_CAMERAS));
-        let cameras = (part_bytes / camera_bytes).max(1).min(most_cameras);
-        // sums: a vector for each pixel; masks: a word for every 32 Gaussians, at most 2^26 of them; memberships: 31 bits
+        let cameras = (part_bytes / camera_bytes).max(1).min(max_cameras);
+        // sums: a vector for each pixel; masks: a word for every 32 Gaussians, at most 2^26 of them; intersections: 31 bits
         let tile_bytes = u64::from(side * side) * 16;
         let mask_words = u64::from(words(scene.gaussians));
         let per_part = part_bytes / (tile_bytes + mask_words * 12);

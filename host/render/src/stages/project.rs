@@ -1,4 +1,4 @@
-//! The projection of Gaussians, its derivatives by Gaussians and by camera poses, and the statistics of growth.
+//! The projection of Gaussians, its derivatives by Gaussians and by camera poses, and the statistics of densification.
 //! [`organza_shaders::pose_backward`] has the equations of the poses.
 
 use std::ops::Range;

@@ -1,7 +1,7 @@
 //! Which Gaussians each tile needs, in ascending order.
 
 use glam::Vec4;
-use organza_shaders::count::{MEMBERS, PAIRS, SAMPLES};
+use organza_shaders::count::{INTERSECTIONS, PAIRS, SAMPLES};
 use organza_shaders::tile::{
     TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
     TileRangeParams,
@@ -17,7 +17,7 @@ use muslin_device::{Buffer, Count, Device, Result};
 
 /// Which pairs each tile sums up.
 #[derive(Debug)]
-pub struct Bins {
+pub struct TileBins {
     pub pairs: Pairs,
     /// Side of a tile, in pixels.
     pub side: u32,
@@ -31,13 +31,13 @@ pub struct Bins {
     pub tile_mask: Mask,
     /// `[cameras, words]`: the Gaussians that each camera's tiles need.
     pub pair_mask: Mask,
-    /// Where each tile's members begin.
+    /// Where each tile's intersections begin.
     pub tile_first: Buffer<u32>,
     /// Indices of pairs.
-    pub member: Buffer<u32>,
-    /// Memberships of all tiles.
-    pub members: Count,
-    /// Members of the fullest tile, or more.
+    pub intersection: Buffer<u32>,
+    /// Intersections of all tiles.
+    pub intersections: Count,
+    /// Intersections of the fullest tile, or more.
     pub largest: u32,
     /// Where the host does not know how many there are.
     pub part_counts: Option<PartCounts>,
@@ -55,69 +55,73 @@ fn tile_mask(
 ) -> Result<Mask> {
     let len = (tiles * params.words) as usize;
     let mask = device.unwritten("tile masks", len)?;
-    let count = device.unwritten("member counts", len)?;
+    let count = device.unwritten("intersection counts", len)?;
     let kernel = TileMaskKernel { params, tile, projection, mask: &mask, count: &count };
     device.run(&kernel, params.words, tiles)?;
     Mask::new(device, mask, &count)
 }
 
-impl Bins {
+impl TileBins {
     /// With `part_counts`, nothing waits; if their capacity is too small, the bins are empty. Without, waits for the counts and
     /// has room for everything.
     pub fn new(
         scene: &DeviceScene,
-        plan: &PartTiles,
+        part_tiles: &PartTiles,
         projection: Projection,
         part_counts: Option<PartCounts>,
     ) -> Result<Self> {
         let device = scene.device();
         let Projection { camera, values: projection, degenerate } = projection;
-        let (packed, first_tile) = plan.pack();
+        let (packed, first_tile) = part_tiles.pack();
         let tile = device.upload("tiles", &packed)?;
         let first_tile = device.upload("first tiles", &first_tile)?;
-        let tiles = plan.tiles.len() as u32;
-        let cameras: Vec<_> = plan.cameras().into_iter().map(|index| index as u32).collect();
+        let tiles = part_tiles.tiles.len() as u32;
+        let cameras: Vec<_> = part_tiles.cameras().into_iter().map(|index| index as u32).collect();
         let slots = cameras.len() as u32;
         let gaussians = scene.gaussians;
         let words = words(scene.gaussians);
 
-        let params = TileMaskParams { gaussians, words, side: plan.side };
+        let params = TileMaskParams { gaussians, words, side: part_tiles.side };
         let tile_mask = tile_mask(device, params, &tile, tiles, &projection)?;
         let pair_mask = pair_mask(device, words, slots, &first_tile, &tile_mask)?;
 
-        let tile_first = device.unwritten("tile members", tiles as usize + 1)?;
+        let tile_first = device.unwritten("tile intersections", tiles as usize + 1)?;
         let params = TileRangeParams { tiles, words };
-        let kernel =
-            TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
+        let kernel = TileRangeKernel {
+            params,
+            first_intersection: &tile_mask.first,
+            tile_first: &tile_first,
+        };
         device.run(&kernel, tiles + 1, 1)?;
-        let (count, members, largest) = match &part_counts {
+        let (count, intersections, largest) = match &part_counts {
             None => {
                 let first = device.read(&tile_first)?;
-                let members = first.windows(2).map(|range| range[1] - range[0]);
-                let largest = members.max().unwrap_or(0);
+                let intersections = first.windows(2).map(|range| range[1] - range[0]);
+                let largest = intersections.max().unwrap_or(0);
                 let all = Count::known(first[first.len() - 1]);
                 (total(device, &pair_mask.first)?, all, largest)
             }
             Some(counts) => {
                 counts.record_total(device, PAIRS, &pair_mask.first)?;
-                counts.record_total(device, MEMBERS, &tile_mask.first)?;
+                counts.record_total(device, INTERSECTIONS, &tile_mask.first)?;
                 counts.clear_on_overflow(device, &[&pair_mask, &tile_mask], &[&tile_first])?;
-                let members = counts.count(MEMBERS);
-                let largest = members.upper_bound().min(gaussians);
-                (counts.count(PAIRS), members, largest)
+                let intersections = counts.count(INTERSECTIONS);
+                let largest = intersections.upper_bound().min(gaussians);
+                (counts.count(PAIRS), intersections, largest)
             }
         };
 
         let pair = fill_pairs(scene, slots, &pair_mask, &count)?;
-        let member = device.unwritten("members", members.upper_bound() as usize)?;
+        let intersection =
+            device.unwritten("intersections", intersections.upper_bound() as usize)?;
         let kernel = TileFillKernel {
             params: TileFillParams { words },
             tile: &tile,
             tile_mask: &tile_mask.bits,
-            first_member: &tile_mask.first,
+            first_intersection: &tile_mask.first,
             pair_mask: &pair_mask.bits,
             first_pair: &pair_mask.first,
-            member: &member,
+            intersection: &intersection,
         };
         device.run(&kernel, words, tiles)?;
         let view_ends = match device.backend() {
@@ -126,7 +130,7 @@ impl Bins {
         };
         Ok(Self {
             pairs: Pairs { count, pair, camera, projection, view_ends },
-            side: plan.side,
+            side: part_tiles.side,
             cameras,
             tiles,
             tile,
@@ -134,8 +138,8 @@ impl Bins {
             tile_mask,
             pair_mask,
             tile_first,
-            member,
-            members,
+            intersection,
+            intersections,
             largest,
             part_counts,
             degenerate,

@@ -18,7 +18,7 @@ use super::field::backward::{ChunkScratch, FieldBackward};
 use super::field::samples::{Blocks, Chunks};
 use super::pairs::{PairVectors, Pairs};
 use super::scan::exclusive_scan;
-use super::tiles::Bins;
+use super::tiles::TileBins;
 use crate::gradient::SceneGradient;
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Count, Error, Result};
@@ -140,10 +140,10 @@ pub fn segments(scene: &DeviceScene, pairs: &Pairs) -> Result<(Buffer<Vec4>, Buf
 fn check_samples(scene: &DeviceScene, pairs: &Pairs) -> Result<()> {
     let longest = (3f64.sqrt() / scene.ray_step()).ceil().min(f64::from(MAX_SAMPLES));
     let pairs = pairs.count.upper_bound();
-    let most = f64::from(pairs) * longest;
-    if most > f64::from(u32::MAX) {
+    let max_samples = f64::from(pairs) * longest;
+    if max_samples > f64::from(u32::MAX) {
         let what = format!("the samples of {pairs} segments with up to {longest} each");
-        return Err(Error::OutOfMemory { needed: most as u64 * 4, available: None, what });
+        return Err(Error::OutOfMemory { needed: max_samples as u64 * 4, available: None, what });
     }
     Ok(())
 }
@@ -211,7 +211,7 @@ impl Transmittance {
     pub fn backward(
         &self,
         scene: &DeviceScene,
-        bins: &Bins,
+        bins: &TileBins,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<Option<PairVectors>> {

@@ -23,22 +23,23 @@ fn valid() -> Vec<f32> {
 fn distortion(renderer: &Renderer, scene: &Scene) -> f64 {
     let device = renderer.device();
     let scene = renderer.upload(scene).expect("a scene");
-    let plans = PartTiles::split(&scene, &tiles(), PART_BYTES).expect("a plan");
-    let [plan] = &plans[..] else { panic!("one part") };
+    let parts = PartTiles::split(&scene, &tiles(), PART_BYTES).expect("parts");
+    let [part_tiles] = &parts[..] else { panic!("one part") };
     let cameras = demo::turntable(2, 64);
-    let part = Part::evaluate(&scene, &cameras, plan, false, None).expect("a part");
+    let part = Part::evaluate(&scene, &cameras, part_tiles, false, None).expect("a part");
     let context = part.context(&scene);
     let powers = powers(context).expect("values of pairs");
     let (sum, _) = weighted_sum(context, &powers).expect("sums");
     let sum: Vec<f32> = device.read(&sum).expect("numbers");
     let valid = valid();
     let mut total = 0.0;
-    for (tile, planned) in sum.chunks(4 * AREA).zip(&plan.tiles) {
+    for (tile, part_tile) in sum.chunks(4 * AREA).zip(&part_tiles.tiles) {
         for at in 0..AREA {
             let [m1, m2, s] = [0, 1, 3].map(|plane| f64::from(tile[plane * AREA + at]));
             if m1 > 0.0 {
                 let spread = s * m2 / (m1 * m1) - 1.0;
-                total += f64::from(valid[planned.place * AREA + at]) * s.min(1.0).powi(2) * spread;
+                total +=
+                    f64::from(valid[part_tile.place * AREA + at]) * s.min(1.0).powi(2) * spread;
             }
         }
     }
@@ -111,10 +112,10 @@ fn the_gradient_is_that_of_differences_with_distances_held_constant() {
             let error = (found - expected).abs();
             assert!(error < 1e-2 * largest.abs(), "{what}: {found} and {expected}");
         };
-        let most = largest(&opacity, 4);
-        for &at in &most {
+        let largest = largest(&opacity, 4);
+        for &at in &largest {
             let expected = slope(&|scene, step| scene.gaussians.opacity[at] += step);
-            close(opacity[at], expected, opacity[most[0]], &format!("opacity {at}"));
+            close(opacity[at], expected, opacity[largest[0]], &format!("opacity {at}"));
         }
         // one of them hardly changes anything: all at once, each in its own direction
         let expected = slope(&|scene, step| {
@@ -140,7 +141,7 @@ fn the_gradient_is_the_same_in_one_part_for_each_tile() {
         gradients(&renderer.with_part_bytes(bytes), &scene, WEIGHT)
     };
     for (whole, parts) in of(512 << 20).iter().zip(of(1)) {
-        let largest = whole.iter().fold(0.0_f32, |most, g| most.max(g.abs()));
+        let largest = whole.iter().fold(0.0_f32, |largest, g| largest.max(g.abs()));
         for (at, (a, b)) in whole.iter().zip(parts).enumerate() {
             assert!((a - b).abs() < 1e-5 * largest, "{at}: {a} and {b}");
         }

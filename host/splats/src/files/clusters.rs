@@ -55,15 +55,15 @@ impl<const D: usize> Cell<D> {
     }
 }
 
-/// Puts values into at most `most` clusters, 1 or more. The cluster with the largest sum of squares is halved at its mean,
+/// Puts values into at most `max` clusters, 1 or more. The cluster with the largest sum of squares is halved at its mean,
 /// across the axis of the largest variance, until there are enough. Equal values are always in one cluster.
-pub fn clusters<const D: usize>(values: &[[f32; D]], most: usize) -> Clusters<D> {
+pub fn clusters<const D: usize>(values: &[[f32; D]], max: usize) -> Clusters<D> {
     let mut indices: Vec<u32> = (0..values.len() as u32).collect();
     let mut cells: BTreeMap<_, Cell<D>> = BTreeMap::new();
     if !values.is_empty() {
         cells.extend([Cell::new(values, &indices, 0, values.len()).keyed()]);
     }
-    while cells.len() < most && cells.last_key_value().is_some_and(|(_, cell)| cell.error > 0.0) {
+    while cells.len() < max && cells.last_key_value().is_some_and(|(_, cell)| cell.error > 0.0) {
         let (_, cell) = cells.pop_last().expect("there is one");
         let middle = cell.mean[cell.axis];
         let part = &mut indices[cell.begin..cell.end];
@@ -89,14 +89,14 @@ pub fn clusters<const D: usize>(values: &[[f32; D]], most: usize) -> Clusters<D>
 
 /// Bits of a coordinate in a place on the curve.
 const BITS: u32 = 10;
-const MOST: u32 = (1 << BITS) - 1;
+const MAX_LEVEL: u32 = (1 << BITS) - 1;
 
 /// Indices of the Gaussians along a Morton curve through the box of their centers: what is near in space is near in the
 /// file.
 pub fn along_a_curve(splats: &[Splat]) -> Vec<usize> {
     let ranges = [0, 1, 2].map(|axis| ends(splats.iter().map(|splat| splat.position[axis])));
     let key = |splat: &Splat| -> u32 {
-        let cells = [0, 1, 2].map(|axis| level(splat.position[axis], ranges[axis], MOST));
+        let cells = [0, 1, 2].map(|axis| level(splat.position[axis], ranges[axis], MAX_LEVEL));
         (0..3 * BITS).map(|bit| (cells[bit as usize % 3] >> (bit / 3) & 1) << bit).sum()
     };
     let mut order: Vec<_> = (0..splats.len()).collect();
@@ -131,8 +131,8 @@ mod tests {
             (f64::from(value[0]) - f64::from(centers[label as usize][0])).powi(2)
         });
         let mean = squares.sum::<f64>() / 64_000.0;
-        let least = (1.0_f64 / 256.0).powi(2) / 12.0;
-        assert!((0.99..1.05).contains(&(mean / least)), "{}", mean / least);
+        let min = (1.0_f64 / 256.0).powi(2) / 12.0;
+        assert!((0.99..1.05).contains(&(mean / min)), "{}", mean / min);
     }
 
     #[test]

@@ -165,7 +165,7 @@ struct File<'a> {
 
 /// What the nodes of a file hold.
 #[derive(Default)]
-struct Found {
+struct NodeContents {
     splats: Vec<Splat>,
     /// Their positions in the world.
     positions: Vec<[f64; 3]>,
@@ -203,13 +203,13 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
         );
         return invalid(path, reason);
     }
-    let mut found = Found::default();
+    let mut found = NodeContents::default();
     let count = file.json["nodes"].as_array().map_or(0, Vec::len);
     let mut seen = vec![false; count];
     for root in file.roots() {
         file.add_node(root, DMat4::IDENTITY, &mut seen, &mut found)?;
     }
-    let Found { splats, positions, is_placed, notes } = found;
+    let NodeContents { splats, positions, is_placed, notes } = found;
     if splats.is_empty() {
         return invalid(path, format!("it has no Gaussians of {EXTENSION}"));
     }
@@ -250,7 +250,7 @@ impl File<'_> {
         index: usize,
         parent: DMat4,
         seen: &mut [bool],
-        found: &mut Found,
+        found: &mut NodeContents,
     ) -> Result<()> {
         if seen.get(index) != Some(&false) {
             return damaged(self.path, "a node is missing, or is there twice");
@@ -395,13 +395,13 @@ impl File<'_> {
             return invalid(self.path, reason);
         }
         let code = number(&accessor["componentType"]).unwrap_or_default() as u32;
-        let Some(&(_, size, most)) = COMPONENTS.iter().find(|known| known.0 == code) else {
+        let Some(&(_, size, max)) = COMPONENTS.iter().find(|known| known.0 == code) else {
             return broken();
         };
         if accessor["type"] != KINDS[N - 1] {
             return invalid(self.path, format!("the attribute {name} is no {}", KINDS[N - 1]));
         }
-        let unit = if accessor["normalized"] == true { most } else { 1.0 };
+        let unit = if accessor["normalized"] == true { max } else { 1.0 };
         let stride = number(&view["byteStride"]).unwrap_or(N * size);
         let offset = |value: &Value| number(&value["byteOffset"]).unwrap_or_default();
         let data = self.data.get(offset(view)..).and_then(|data| data.get(offset(accessor)..));
@@ -484,8 +484,8 @@ mod tests {
 
     #[test]
     fn own_files_keep_the_axes_of_the_scene() {
-        let most = [0.0, 1e-5, 0.0, 0.0, 1e-6];
-        assert_close(&read_bytes(&written()).unwrap(), &splats(), most);
+        let max = [0.0, 1e-5, 0.0, 0.0, 1e-6];
+        assert_close(&read_bytes(&written()).unwrap(), &splats(), max);
         for length in (4..written().len()).step_by(97) {
             assert_refused(&written()[..length], &[]);
         }

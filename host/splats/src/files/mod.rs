@@ -206,7 +206,8 @@ fn check(splats: &[Splat], path: &Path, hint: &str) -> Result<()> {
     }
     for (index, splat) in splats.iter().enumerate() {
         let values: &[f32; VALUES] = bytemuck::cast_ref(splat);
-        let largest = splat.log_scale.iter().fold(0.0, |most: f32, value| most.max(value.abs()));
+        let largest =
+            splat.log_scale.iter().fold(0.0, |largest: f32, value| largest.max(value.abs()));
         if values.iter().any(|value| !value.is_finite()) || largest > LARGEST_LOG_SCALE {
             let Splat { position, log_scale, opacity, rotation, .. } = splat;
             let [color, ..] = splat.color;
@@ -311,12 +312,12 @@ fn ends(values: impl Iterator<Item = f32>) -> [f32; 2] {
     values.fold(all, |[low, high], value| [low.min(value), high.max(value)])
 }
 
-/// The nearest of the levels 0 to `most` for a value in a range.
-fn level(value: f32, [low, high]: [f32; 2], most: u32) -> u32 {
+/// The nearest of the levels 0 to `max` for a value in a range.
+fn level(value: f32, [low, high]: [f32; 2], max: u32) -> u32 {
     // a range as wide as f32 has no width in f32
     let width = f64::from(high) - f64::from(low);
     let part = if width > 0.0 { (f64::from(value) - f64::from(low)) / width } else { 0.0 };
-    (part * f64::from(most)).round().clamp(0.0, f64::from(most)) as u32
+    (part * f64::from(max)).round().clamp(0.0, f64::from(max)) as u32
 }
 
 /// The logit of an opacity of 256 levels. Opacities of 0 and 1 have no finite one.
@@ -365,7 +366,7 @@ mod tests {
     /// Compares with largest errors: of positions, of logarithms of scales, of the first harmonic, of the others, and of
     /// the parts of unit quaternions. Opacities have 256 levels.
     #[track_caller]
-    pub fn assert_close(found: &[Splat], expected: &[Splat], most: [f32; 5]) {
+    pub fn assert_close(found: &[Splat], expected: &[Splat], max: [f32; 5]) {
         assert_eq!(found.len(), expected.len());
         let apart =
             |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
@@ -381,9 +382,8 @@ mod tests {
                 apart(found.color[1..].as_flattened(), expected.color[1..].as_flattened()),
                 apart(&turns[0].map(|part| sign * part), &turns[1]),
             ];
-            let is_close =
-                errors.iter().zip(most).all(|(error, most)| *error <= 1.01 * most + 1e-6);
-            assert!(is_close, "{errors:?}, at most {most:?}");
+            let is_close = errors.iter().zip(max).all(|(error, max)| *error <= 1.01 * max + 1e-6);
+            assert!(is_close, "{errors:?}, at most {max:?}");
         }
     }
 

@@ -117,8 +117,8 @@ impl Ranges {
     fn words(&self, splat: &Splat) -> [u32; WORDS.len()] {
         let three = |values: [f32; 3], ranges: &[[f32; 2]; 3]| {
             (0..3).fold(0, |word, axis| {
-                let most = (1 << BITS[axis]) - 1;
-                word << BITS[axis] | level(values[axis], ranges[axis], most)
+                let max = (1 << BITS[axis]) - 1;
+                word << BITS[axis] | level(values[axis], ranges[axis], max)
             })
         };
         let (largest, parts) = smallest_three(turned(splat));
@@ -141,8 +141,8 @@ impl Ranges {
         let three = |word: u32, ranges: &[[f32; 2]; 3]| {
             let shifts = [21, 11, 0];
             [0, 1, 2].map(|axis| {
-                let most = (1 << BITS[axis]) - 1;
-                value(word >> shifts[axis] & most, ranges[axis], most)
+                let max = (1 << BITS[axis]) - 1;
+                value(word >> shifts[axis] & max, ranges[axis], max)
             })
         };
         let part = |shift: u32| value(rotation >> shift & 1023, PART, 1023);
@@ -167,9 +167,9 @@ impl Ranges {
     }
 }
 
-/// The value of a level from 0 to `most` in a range.
-fn value(level: u32, [low, high]: [f32; 2], most: u32) -> f32 {
-    let part = level as f32 / most as f32;
+/// The value of a level from 0 to `max` in a range.
+fn value(level: u32, [low, high]: [f32; 2], max: u32) -> f32 {
+    let part = level as f32 / max as f32;
     low * (1.0 - part) + high * part
 }
 
@@ -242,9 +242,9 @@ mod tests {
         let expected: Vec<_> = along_a_curve(&splats).into_iter().map(|at| splats[at]).collect();
         // half a step of 10 bits over at most 10 units, over 6, of 8 bits over 1 / 0.28, of 256 levels over 8, and of 10 bits
         // over sqrt(2); the largest part of a quaternion follows from the three others
-        let most =
+        let max =
             [5.0 / 1023.0, 3.0 / 1023.0, 0.5 / 255.0 / 0.28, 4.0 / 256.0, 2.5 * 0.71 / 1023.0];
-        assert_close(&read_bytes(&bytes).unwrap(), &expected, most);
+        assert_close(&read_bytes(&bytes).unwrap(), &expected, max);
         for length in (0..bytes.len()).step_by(61) {
             assert_refused(&bytes[..length], &[]);
         }

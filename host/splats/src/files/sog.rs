@@ -34,9 +34,9 @@ const REST: usize = 3 * OTHERS;
 /// Sets of harmonics in a row of their image.
 const ROW: usize = 64;
 /// The image of a palette has at most this number of rows of [`ROW`], as a label has 16 bits.
-const MOST_ROWS: usize = 1024;
+const MAX_ROWS: usize = 1024;
 /// Largest side of a WebP image, in pixels.
-const MOST_SIDE: usize = 16_383;
+const MAX_SIDE: usize = 16_383;
 /// Value of a quaternion's pixel that says that its first part is the largest.
 const LARGEST: u8 = 252;
 
@@ -76,7 +76,7 @@ pub fn write(splats: &[Splat], placement: &Placement, file: &mut dyn Write) -> i
     let side = (splats.len() as f64).sqrt().ceil() as usize;
     let width = side.next_multiple_of(4);
     let size = [width, splats.len().div_ceil(width).next_multiple_of(4)];
-    if width > MOST_SIDE {
+    if width > MAX_SIDE {
         return Err(io::Error::other("a SOG file has at most 268 million Gaussians; write a .ply"));
     }
     let means = means(&splats, size, &mut archive)?;
@@ -169,11 +169,11 @@ fn harmonics<W: Write + Seek>(
 
 /// Rows of the palette's image for a number of Gaussians: between a half and one set for each, as PlayCanvas has them.
 fn rows(count: usize) -> usize {
-    (1 << (count / ROW).max(1).ilog2()).min(MOST_ROWS)
+    (1 << (count / ROW).max(1).ilog2()).min(MAX_ROWS)
 }
 
 /// Most pixels of an image for each byte of the whole archive: a few bytes can claim any number of equal pixels.
-const MOST_PIXELS: usize = 1024;
+const MAX_PIXELS: usize = 1024;
 
 /// A level as it is read: a pixel of an image.
 type Pixel = [u8; 4];
@@ -264,8 +264,8 @@ impl File<'_> {
         number.map_or_else(|| damaged(self.path, format!("{META} has no number {at}")), Ok)
     }
 
-    /// The image that is named at a place of the description: its pixels, of which there are `least`, and its width.
-    fn image(&mut self, at: &str, least: usize) -> Result<(Vec<Pixel>, usize)> {
+    /// The image that is named at a place of the description: its pixels, of which there are `min`, and its width.
+    fn image(&mut self, at: &str, min: usize) -> Result<(Vec<Pixel>, usize)> {
         let path = self.path;
         let Some(name) = self.meta.pointer(at).and_then(Value::as_str).map(str::to_owned) else {
             return damaged(path, format!("{META} names no file {at}"));
@@ -275,10 +275,10 @@ impl File<'_> {
         let decoder = WebPDecoder::new(Cursor::new(bytes));
         let mut decoder = decoder.or_else(|error| damaged(path, broken(error)))?;
         let [width, height] = <[u32; 2]>::from(decoder.dimensions()).map(|side| side as usize);
-        let most = MOST_PIXELS * self.length.max(64);
-        if !(least..=most).contains(&(width * height)) {
+        let max = MAX_PIXELS * self.length.max(64);
+        if !(min..=max).contains(&(width * height)) {
             let reason = format!(
-                "{name} has {width} x {height} pixels, expected {least} at least, and {most} at most in an archive of its \
+                "{name} has {width} x {height} pixels, expected {min} at least, and {max} at most in an archive of its \
                  size"
             );
             return damaged(path, reason);
@@ -483,9 +483,9 @@ mod tests {
         write(&splats, &Placement::default(), &mut bytes).unwrap();
         let expected: Vec<_> = along_a_curve(&splats).into_iter().map(|at| splats[at]).collect();
         // 16 bits of the logarithms between -1.1 and 1.1, and parts of quaternions in steps of sqrt(2) / 255
-        let most = [3.0 * 0.5 * 2.2 / 65_535.0, 1e-6, 1e-6, 0.01, 3.0 * 0.71 / 255.0];
-        assert_close(&described(bytes.clone()), &expected, most);
-        assert_close(&read_bytes(&bytes).unwrap(), &expected, most);
+        let max = [3.0 * 0.5 * 2.2 / 65_535.0, 1e-6, 1e-6, 0.01, 3.0 * 0.71 / 255.0];
+        assert_close(&described(bytes.clone()), &expected, max);
+        assert_close(&read_bytes(&bytes).unwrap(), &expected, max);
         for length in (4..bytes.len()).step_by(97) {
             assert_refused(&bytes[..length], &["not a whole SOG file"]);
         }

@@ -32,7 +32,7 @@ const ENTRY: usize = 16;
 /// Zstandard's level, of 1 to 22.
 const LEVEL: i32 = 12;
 /// Most bits in the fraction of a coordinate, which is an integer of 24 bits. Readers shift an i32 by them.
-const MOST_FRACTION: u8 = 30;
+const MAX_FRACTION: u8 = 30;
 /// Flag of files with extensions.
 const EXTENDED: u8 = 2;
 /// Number of Adobe's extension that names the axes.
@@ -47,13 +47,13 @@ const COLOR: [f32; 2] = [0.15 * 255.0, 127.5];
 /// Factor and offset for any other harmonic.
 const REST: [f32; 2] = [128.0, 128.0];
 /// Most bytes of extensions that are read.
-const MOST_EXTENSIONS: u64 = 1 << 20;
+const MAX_EXTENSIONS: u64 = 1 << 20;
 /// Most bytes that one byte of gzip can expand to.
-const MOST_PACKED: u64 = 1032;
+const MAX_PACKED: u64 = 1032;
 /// The same of Zstandard: four bytes can repeat one byte in a block of 128 KiB.
-const MOST_PACKED_4: u64 = 1 << 15;
+const MAX_PACKED_4: u64 = 1 << 15;
 /// Largest value of a part of a quaternion, which has 9 bits and a sign.
-const MOST_PART: f32 = 511.0;
+const MAX_PART: f32 = 511.0;
 
 /// Writes version 4. `up` is the world's upward direction.
 pub fn write(
@@ -188,12 +188,12 @@ fn arrays(splats: &[Splat], fraction: u8, version: u32) -> [Vec<u8>; 6] {
 
 /// Most bits of the fraction with which all coordinates fit.
 fn fraction(splats: &[Splat]) -> u8 {
-    let largest = splats
-        .iter()
-        .flat_map(|splat| splat.position)
-        .fold(0.0, |most: f32, value| if value.is_finite() { most.max(value.abs()) } else { most });
+    let largest =
+        splats.iter().flat_map(|splat| splat.position).fold(0.0, |largest: f32, value| {
+            if value.is_finite() { largest.max(value.abs()) } else { largest }
+        });
     let fits = |bits: &u8| largest * 2_f32.powi((*bits).into()) < 8_388_607.0;
-    (0..=MOST_FRACTION).rev().find(fits).unwrap_or(0)
+    (0..=MAX_FRACTION).rev().find(fits).unwrap_or(0)
 }
 
 /// The header fields of all versions.
@@ -206,8 +206,8 @@ struct Header {
 }
 
 impl Header {
-    /// `most` is the number of bytes that the file can expand to at most.
-    fn parse(bytes: &[u8], length: u64, most: u64, versions: &[u32], path: &Path) -> Result<Self> {
+    /// `max` is the number of bytes that the file can expand to at most.
+    fn parse(bytes: &[u8], length: u64, max: u64, versions: &[u32], path: &Path) -> Result<Self> {
         let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|byte| bytes[4 * at + byte]));
         if word(0) != MAGIC {
             return invalid(path, "it is packed with gzip, but it is not an SPZ file");
@@ -216,17 +216,17 @@ impl Header {
         let [degree, fraction, flags] = [bytes[12], bytes[13], bytes[14]];
         let header = Self { version: word(1), count, degree, fraction, flags };
         let version = header.version;
-        if !versions.contains(&version) || degree > DEGREE as u8 || fraction > MOST_FRACTION {
+        if !versions.contains(&version) || degree > DEGREE as u8 || fraction > MAX_FRACTION {
             return invalid(
                 path,
                 format!(
                     "it is an SPZ file of version {version} with harmonics of degree {degree} and coordinates of \
-                     {fraction} bits behind the point; expected version 1 to 4, degree 0 to 3, and at most {MOST_FRACTION} bits"
+                     {fraction} bits behind the point; expected version 1 to 4, degree 0 to 3, and at most {MAX_FRACTION} bits"
                 ),
             );
         }
         let needed = header.widths().iter().map(|width| (width * count) as u64).sum::<u64>();
-        if needed > length.saturating_mul(most) {
+        if needed > length.saturating_mul(max) {
             let reason = format!(
                 "its header has {count} Gaussians, more than {length} bytes can hold; the file was cut short or is \
                  damaged"
@@ -301,21 +301,21 @@ impl Header {
 
 /// Reads version 1, 2 or 3, which are in gzip.
 pub fn read_packed(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
-    read_old(GzDecoder::new(source), length, MOST_PACKED, path)
+    read_old(GzDecoder::new(source), length, MAX_PACKED, path)
 }
 
-/// Reads version 1, 2 or 3. `most` is the number of bytes that a byte of the file can expand to.
-pub fn read_old(mut source: impl Read, length: u64, most: u64, path: &Path) -> Result<SplatFile> {
+/// Reads version 1, 2 or 3. `max` is the number of bytes that a byte of the file can expand to.
+pub fn read_old(mut source: impl Read, length: u64, max: u64, path: &Path) -> Result<SplatFile> {
     let mut bytes = [0; 16];
     source.read_exact(&mut bytes).or_else(|_| cut(path))?;
-    let header = Header::parse(&bytes, length, most, &[1, 2, 3], path)?;
+    let header = Header::parse(&bytes, length, max, &[1, 2, 3], path)?;
     let mut arrays = [const { Vec::new() }; 6];
     for (array, width) in arrays.iter_mut().zip(header.widths()) {
         *array = fill(&mut source, width * header.count, path)?;
     }
     let mut extensions = Vec::new();
     if header.flags & EXTENDED != 0 {
-        source.take(MOST_EXTENSIONS).read_to_end(&mut extensions).or_else(|_| cut(path))?;
+        source.take(MAX_EXTENSIONS).read_to_end(&mut extensions).or_else(|_| cut(path))?;
     }
     header.placed(&arrays, &extensions, path)
 }
@@ -324,7 +324,7 @@ pub fn read_old(mut source: impl Read, length: u64, most: u64, path: &Path) -> R
 pub fn read(mut source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     let mut bytes = [0; HEADER];
     source.read_exact(&mut bytes).or_else(|_| cut(path))?;
-    let header = Header::parse(&bytes, length, MOST_PACKED_4, &[4], path)?;
+    let header = Header::parse(&bytes, length, MAX_PACKED_4, &[4], path)?;
     let table = u64::from(u32::from_le_bytes([bytes[16], bytes[17], bytes[18], bytes[19]]));
     let streams = usize::from(bytes[15]);
     let widths = header.widths();
@@ -384,7 +384,7 @@ fn unpacked_rotation(bytes: [u8; 4]) -> [f32; 4] {
     let bits = u32::from_le_bytes(bytes);
     let part = |shift: u32| {
         let part = bits >> shift;
-        let size = std::f32::consts::FRAC_1_SQRT_2 * (part & 511) as f32 / MOST_PART;
+        let size = std::f32::consts::FRAC_1_SQRT_2 * (part & 511) as f32 / MAX_PART;
         if part & 512 != 0 { -size } else { size }
     };
     let [x, y, z, w] = with_largest((bits >> 30) as usize, [part(20), part(10), part(0)]);
@@ -395,7 +395,7 @@ fn unpacked_rotation(bytes: [u8; 4]) -> [f32; 4] {
 fn packed_rotation([w, x, y, z]: [f32; 4]) -> [u8; 4] {
     let (largest, parts) = smallest_three([x, y, z, w]);
     let bits = parts.iter().fold(largest as u32, |bits, part| {
-        let size = (part.abs() * std::f32::consts::SQRT_2 * MOST_PART).round().min(MOST_PART);
+        let size = (part.abs() * std::f32::consts::SQRT_2 * MAX_PART).round().min(MAX_PART);
         bits << 10 | u32::from(*part < 0.0) << 9 | size as u32
     });
     bits.to_le_bytes()

@@ -55,7 +55,7 @@ pub struct Colmap<'a> {
 }
 
 /// What COLMAP found.
-struct Found {
+struct Reconstruction {
     model: SparseModel,
     /// Its cameras, with one place for the views of a panorama: COLMAP does not know that they share it.
     joined: Vec<Camera>,
@@ -88,7 +88,7 @@ impl<'a> Colmap<'a> {
             let other = self.model(1, matcher)?;
             found = found.into_iter().chain(other).max_by_key(|found| found.model.cameras.len());
         }
-        let Some(Found { model, joined }) = found else {
+        let Some(Reconstruction { model, joined }) = found else {
             return refuse(format!(
                 "COLMAP found no poses for these images. They need texture, sharpness, and much in common with their \
                  neighbors, from different places: walk around the scene, slowly. The whole output of COLMAP is in {}",
@@ -113,7 +113,7 @@ impl<'a> Colmap<'a> {
     }
 
     /// The largest model of an attempt.
-    fn model(&self, attempt: usize, matcher: Matcher) -> Result<Option<Found>> {
+    fn model(&self, attempt: usize, matcher: Matcher) -> Result<Option<Reconstruction>> {
         self.job.step(MATCHES[attempt], |_| self.compare(matcher))?;
         self.job.step(MODELS[attempt], |folder| self.map(folder))?;
         let Some(model) = SparseModel::largest(&self.job.path(MODELS[attempt]))? else {
@@ -123,7 +123,7 @@ impl<'a> Colmap<'a> {
             true => panorama::join(&model.cameras, &HEADINGS),
             false => model.cameras.clone(),
         };
-        Ok(Some(Found { model, joined }))
+        Ok(Some(Reconstruction { model, joined }))
     }
 
     /// A command of COLMAP.
@@ -204,11 +204,11 @@ impl<'a> Colmap<'a> {
         colmap.option("--Mapper.ba_refine_focal_length", if self.are_views { "0" } else { "1" });
         let progress = self.job.console.progress("finding poses", self.images, "images");
         // COLMAP begins again where it finds few, and keeps the largest model.
-        let mut most = 0;
+        let mut max = 0;
         let result = self.job.programs.run(colmap, |line| {
             if let Some(posed) = registered(line) {
-                most = most.max(posed);
-                progress.set(most);
+                max = max.max(posed);
+                progress.set(max);
             }
         });
         self.job.programs.check()?;

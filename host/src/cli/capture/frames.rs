@@ -5,7 +5,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use organza::data::panorama::{self, FACES, HEADINGS, View, panorama_of};
+use organza::data::panorama::{self, FACES, HEADINGS, PanoramaView, panorama_of};
 use organza::data::{Frame, photograph_size, upright};
 use organza::{Camera, Error, Result};
 
@@ -30,7 +30,7 @@ const TO_SDR: &str = "zscale=t=linear:npl=203,format=gbrpf32le,zscale=p=bt709,to
 
 /// What one look at a video tells.
 #[derive(Default)]
-struct Seen {
+struct VideoStats {
     /// How sharp each frame is.
     sharpness: Vec<f64>,
     /// The shape of each frame.
@@ -98,7 +98,7 @@ impl CaptureJob<'_> {
     }
 
     /// Cuts panoramas into views.
-    fn cut(&self, names: &[String], folder: &Path, views: &[View]) -> Result<()> {
+    fn cut(&self, names: &[String], folder: &Path, views: &[PanoramaView]) -> Result<()> {
         let progress = self.console.progress("cutting panoramas", names.len(), "panoramas");
         for (done, name) in names.iter().enumerate() {
             self.programs.check()?;
@@ -168,13 +168,13 @@ impl CaptureJob<'_> {
     }
 
     /// Looks at each frame of a video.
-    fn look(&self, video: &Path) -> Result<Seen> {
+    fn look(&self, video: &Path) -> Result<VideoStats> {
         let [width, height] = PROBE;
         let mut ffmpeg = self.ffmpeg(video, "level+info")?;
         ffmpeg.command.arg("-vf").arg(format!("showinfo=checksum=0,scale={width}:{height}"));
         ffmpeg.option("-fps_mode", "passthrough");
         ffmpeg.command.args(["-pix_fmt", "gray", "-f", "rawvideo", "-"]);
-        let Seen { mut sharpness, mut shapes, mut transfer } = Seen::default();
+        let VideoStats { mut sharpness, mut shapes, mut transfer } = VideoStats::default();
         let look = |gray: &[u8]| sharpness.push(sharpness_of(gray, width));
         let hear = |line: &str| {
             if line.contains("_showinfo_") {
@@ -187,7 +187,7 @@ impl CaptureJob<'_> {
                 .read(ffmpeg, width * height, look, hear)
                 .or_else(|error| refuse(format!("{error}. Is {} a video?", video.display())))
         })?;
-        Ok(Seen { sharpness, shapes, transfer })
+        Ok(VideoStats { sharpness, shapes, transfer })
     }
 
     /// The filter that maps a video's colors to a screen's, if it has others.
@@ -243,8 +243,8 @@ impl Shape {
         let size = [width * wide / high, height];
         let is_panorama =
             may_be_panorama && panorama::is_panorama(size.map(|side| side.round() as u32));
-        let most = f64::from(if is_panorama { side * 22 / 7 } else { side });
-        let factor = (most / size[0].max(size[1])).min(1.0);
+        let max = f64::from(if is_panorama { side * 22 / 7 } else { side });
+        let factor = (max / size[0].max(size[1])).min(1.0);
         size.map(|side| (side * factor).round().max(1.0) as u32)
     }
 }

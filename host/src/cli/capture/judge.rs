@@ -193,15 +193,15 @@ fn jumps(images: &[String], cameras: &HashMap<String, &Camera>) -> Vec<String> {
     });
     let steps: Vec<_> = steps.filter(|step| step.0 > 0.0).collect();
     let spread = spread(images.iter().filter_map(eye).collect());
-    let least = (JUMP * median(steps.iter().map(|step| step.0))).max(FAR * spread);
-    steps.into_iter().filter(|step| step.0 > least).map(|step| step.1.clone()).collect()
+    let min = (JUMP * median(steps.iter().map(|step| step.0))).max(FAR * spread);
+    steps.into_iter().filter(|step| step.0 > min).map(|step| step.1.clone()).collect()
 }
 
 /// Views that were found far from the place that they have now.
 fn apart(found: &[Camera], cameras: &HashMap<String, &Camera>) -> Vec<String> {
     let eye = |camera: &Camera| DVec3::from(camera.eye());
-    let most = APART * spread(cameras.values().map(|camera| eye(camera)).collect());
-    let is_apart = |name: &&String, camera| eye(cameras[*name]).distance(eye(camera)) > most;
+    let max = APART * spread(cameras.values().map(|camera| eye(camera)).collect());
+    let is_apart = |name: &&String, camera| eye(cameras[*name]).distance(eye(camera)) > max;
     let named = found.iter().filter_map(|camera| Some((camera.file_path.as_ref()?, camera)));
     named.filter(|(name, camera)| is_apart(name, camera)).map(|(name, _)| name.clone()).collect()
 }

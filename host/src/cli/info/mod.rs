@@ -19,7 +19,7 @@ use crate::cli::summary::{Table, count, number};
 use crate::cli::text_of;
 
 /// Most rows of a table that could have as many rows as a data set has photographs.
-const MOST_ROWS: usize = 24;
+const MAX_ROWS: usize = 24;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -71,7 +71,7 @@ fn show(args: &Args, info: &(impl serde::Serialize + std::fmt::Display)) -> Resu
 
 /// The number of rows that a table leaves out, as text.
 fn and_more(all: usize) -> String {
-    match all.saturating_sub(MOST_ROWS) {
+    match all.saturating_sub(MAX_ROWS) {
         0 => String::new(),
         more => format!("... and {more} more (--json has all)\n"),
     }
@@ -142,7 +142,7 @@ impl fmt::Display for TileFile {
         let tiles = count(self.tiles as u64, "tile");
         writeln!(f, "{tiles} of {side} x {side}, rendered as {shape:?} ({bytes})\n")?;
         let mut table = Table::new(0, ["camera", "tiles", "columns", "rows"]);
-        for camera in self.cameras.iter().take(MOST_ROWS) {
+        for camera in self.cameras.iter().take(MAX_ROWS) {
             let range = |axis: usize| format!("{} to {}", camera.low[axis], camera.high[axis] - 1);
             table.row([camera.camera.to_string(), camera.tiles.to_string(), range(0), range(1)]);
         }
@@ -355,7 +355,7 @@ impl fmt::Display for CameraFile {
         }
         let titles = ["view", "image", "size", "fl_x", "fl_y", "cx", "cy", "x", "y", "z", ""];
         let mut table = Table::new(3, titles);
-        for (index, camera) in self.cameras.iter().take(MOST_ROWS).enumerate() {
+        for (index, camera) in self.cameras.iter().take(MAX_ROWS).enumerate() {
             table.row([
                 index.to_string(),
                 camera.file_path.clone().unwrap_or_else(|| "-".to_owned()),

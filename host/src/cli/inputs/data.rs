@@ -259,10 +259,10 @@ impl DataSet {
         for Pose { camera: Camera { width, height, .. }, photograph, .. } in poses.cameras()? {
             let side = width.min(height);
             if side < MIN_SIDE {
-                let most = (u64::from(side) * u64::from(factor) / u64::from(MIN_SIDE)).max(1);
+                let max = (u64::from(side) * u64::from(factor) / u64::from(MIN_SIDE)).max(1);
                 let reason = format!(
                     "a downscale of {factor} leaves {width} x {height} pixels, and training needs {MIN_SIDE} a side; use \
-                     `--downscale {most}`"
+                     `--downscale {max}`"
                 );
                 let origin = photograph.unwrap_or_else(|| poses.path.clone());
                 return Err(Error::Invalid { origin, reason });

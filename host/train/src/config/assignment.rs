@@ -75,20 +75,63 @@ pub fn merge(under: &mut Table, over: Table) {
     }
 }
 
+/// Groups and settings whose names have changed, with the new ones: version 0.1 reads both.
+const RENAMED: [(&str, &str); 2] = [("growth", "densification"), ("run.plan", "run.schedule")];
+
+/// The new name of a setting, if it has changed.
+pub fn renamed(key: &str) -> Option<String> {
+    RENAMED.iter().find_map(|(old, new)| {
+        let rest = key.strip_prefix(old)?;
+        (rest.is_empty() || rest.starts_with('.')).then(|| format!("{new}{rest}"))
+    })
+}
+
+/// Gives settings of a file their new names. Returns what has changed, as sentences.
+pub fn rename_old(table: &mut Table) -> Vec<String> {
+    let mut notes = Vec::new();
+    for (old, new) in RENAMED {
+        let taken = match old.split_once('.') {
+            Some((group, name)) => match table.get_mut(group) {
+                Some(Value::Table(group)) => group.remove(name),
+                _ => None,
+            },
+            None => table.remove(old),
+        };
+        if let Some(value) = taken {
+            merge(table, wrapped(value, new));
+            notes.push(note(old, new));
+        }
+    }
+    notes
+}
+
+/// Says that a setting has another name.
+pub fn note(old: &str, new: &str) -> String {
+    format!("the setting `{old}` is called `{new}` now")
+}
+
+/// A table with one value.
+fn wrapped(value: Value, key: &str) -> Table {
+    let wrap = |value, name: &str| Value::Table(Table::from_iter([(name.to_owned(), value)]));
+    let Value::Table(table) = key.rsplit('.').fold(value, wrap) else {
+        unreachable!("a key has at least one name")
+    };
+    table
+}
+
 /// Parses an assignment into a table with one setting.
 pub fn parse(text: &str) -> Result<Table, String> {
     let Some((key, value)) = text.split_once('=') else {
         return Err(format!("`{text}` has no value; write KEY=VALUE, such as run.steps=3000"));
     };
     let key = key.trim();
+    let new = renamed(key);
+    let key = new.as_deref().unwrap_or(key);
     let text = value.trim();
     let default = find(key)?;
     let value = read(&default, text)
         .ok_or_else(|| format!("`{key}` is `{text}`, expected {}", kind(&default)))?;
-    let wrap = |value, name: &str| Value::Table(Table::from_iter([(name.to_owned(), value)]));
-    let Value::Table(table) = key.rsplit('.').fold(value, wrap) else {
-        unreachable!("a key has at least one name")
-    };
+    let table = wrapped(value, key);
     let mut all = TEMPLATE.clone();
     merge(&mut all, table.clone());
     match TrainConfig::deserialize(all) {
@@ -138,7 +181,7 @@ fn read(default: &Value, text: &str) -> Option<Value> {
         Value::Boolean(_) => text.parse().ok().map(Value::Boolean),
         Value::Array(values) => {
             let Some(first) = values.first() else {
-                // values that a run itself writes, such as its plan, can be removed
+                // values that a run itself writes, such as its schedule, can be removed
                 let inner = text.trim_matches(['[', ']']).trim();
                 return inner.is_empty().then(|| Value::Array(Vec::new()));
             };
@@ -219,8 +262,8 @@ mod tests {
         for (assignment, expected) in [
             ("run.steps", "`run.steps` has no value; write KEY=VALUE"),
             ("run.stesp=3", "no setting `run.stesp`; did you mean `run.steps`?"),
-            ("max_gaussians=3", "did you mean `growth.max_gaussians`?"),
-            ("growth.max=3", "did you mean `growth.max_gaussians`?"),
+            ("max_gaussians=3", "did you mean `densification.max_gaussians`?"),
+            ("densification.max=3", "did you mean `densification.max_gaussians`?"),
             ("opacity=3", "did you mean `"),
             ("xyz=3", "there is no setting `xyz`"),
             ("=3", "there is no setting ``"),

@@ -10,7 +10,7 @@ use super::table::within;
 use super::{MAX_BYTES, TrainConfig};
 use organza_core::error::{Error, Result};
 use organza_core::input::read_text;
-use organza_core::tile::most_tiles;
+use organza_core::tile::max_tiles;
 
 /// Combines settings. A later call overrides earlier ones. A setting that no call sets has its default.
 ///
@@ -18,8 +18,8 @@ use organza_core::tile::most_tiles;
 /// use organza_train::{ConfigBuilder, Preset};
 ///
 /// # fn main() -> organza_core::Result<()> {
-/// let config = ConfigBuilder::new(Preset::Fast)?.set("growth.end=0")?.build()?;
-/// # assert_eq!(config.growth.end, 0.0);
+/// let config = ConfigBuilder::new(Preset::Fast)?.set("densification.end=0")?.build()?;
+/// # assert_eq!(config.densification.end, 0.0);
 /// # Ok(())
 /// # }
 /// ```
@@ -27,6 +27,7 @@ use organza_core::tile::most_tiles;
 pub struct ConfigBuilder {
     /// Every setting.
     table: Table,
+    notes: Vec<String>,
     /// The settings that calls have set.
     given: Table,
 }
@@ -45,7 +46,7 @@ impl ConfigBuilder {
     #[must_use]
     pub fn from_config(config: &TrainConfig) -> Self {
         let table = Table::try_from(config).expect("plain tables of numbers and strings");
-        Self { table, given: Table::new() }
+        Self { table, notes: Vec::new(), given: Table::new() }
     }
 
     /// Adds the settings of a file.
@@ -68,13 +69,17 @@ impl ConfigBuilder {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             format!("line {line}: {}", error.message())
         };
-        let table: Table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
+        let mut table: Table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
+        let notes = assignment::rename_old(&mut table);
+        let has_new_names = notes.is_empty();
+        self.notes.extend(notes);
         merge(&mut self.table, table.clone());
         merge(&mut self.given, table.clone());
         let config = self.parse().map_err(|reason| {
             let alone = toml::from_str::<TrainConfig>(text).err();
             // a setting that the text leaves out is not missing
-            let alone = alone.filter(|error| !error.message().starts_with("missing field"));
+            let alone = alone
+                .filter(|error| has_new_names && !error.message().starts_with("missing field"));
             invalid(alone.map_or(reason, at_line))
         })?;
         config.check().map_err(invalid)?;
@@ -92,6 +97,10 @@ impl ConfigBuilder {
     /// [`Error::Invalid`] if there is no such setting, or if the value is not of its type.
     pub fn set(mut self, assignment: &str) -> Result<Self> {
         let table = assignment::parse(assignment).map_err(invalid)?;
+        let old = assignment.split('=').next().unwrap_or_default().trim();
+        if let Some(new) = assignment::renamed(old) {
+            self.notes.push(assignment::note(old, &new));
+        }
         merge(&mut self.table, table.clone());
         merge(&mut self.given, table);
         Ok(self)
@@ -103,14 +112,20 @@ impl ConfigBuilder {
         self.given.get(group).is_some_and(|group| group.get(name).is_some())
     }
 
-    /// Lowers `start.gaussians` to `growth.max_gaussians` if it is more.
+    /// Lowers `start.gaussians` to `densification.max_gaussians` if it is more.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a value that is not of its type.
     pub fn limit_start(self) -> Result<Self> {
         let config = self.parse().map_err(invalid)?;
-        let gaussians = config.start.gaussians.min(config.growth.max_gaussians);
+        let gaussians = config.start.gaussians.min(config.densification.max_gaussians);
         self.set(&format!("start.gaussians={gaussians}"))
+    }
+
+    /// Names that were given and have changed, as sentences.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// Returns the combined settings.
@@ -207,10 +222,10 @@ impl TrainConfig {
     fn check_scene(&self) -> Result<(), String> {
         let tiles = self.run.tiles_per_step;
         let side = self.run.tile_size;
-        let most = most_tiles(side);
-        if u64::from(tiles) > most {
+        let max = max_tiles(side);
+        if u64::from(tiles) > max {
             return Err(format!(
-                "`run.tiles_per_step` is {tiles}, expected at most {most} of side {side}: the \
+                "`run.tiles_per_step` is {tiles}, expected at most {max} of side {side}: the \
                  kernels address fewer than 2^31 values"
             ));
         }
@@ -221,8 +236,8 @@ impl TrainConfig {
         })?;
         let gaussians = self.start.gaussians;
         let widest = self.scene.material.max(self.scene.extra).max(4);
-        let most = ((1 << 31) - 1) / widest;
-        within("start.gaussians", gaussians, 1..=most)
+        let max = ((1 << 31) - 1) / widest;
+        within("start.gaussians", gaussians, 1..=max)
     }
 
     /// Checks values that constrain each other.
@@ -234,12 +249,12 @@ impl TrainConfig {
                     .to_owned(),
             );
         }
-        self.check_plan()?;
+        self.check_schedule()?;
         let first = self.start.gaussians;
-        let most = self.growth.max_gaussians;
-        if first > most {
+        let max = self.densification.max_gaussians;
+        if first > max {
             return Err(format!(
-                "`start.gaussians` is {first}, more than the {most} of `growth.max_gaussians`"
+                "`start.gaussians` is {first}, more than the {max} of `densification.max_gaussians`"
             ));
         }
         Ok(())
@@ -247,20 +262,20 @@ impl TrainConfig {
 }
 
 impl TrainConfig {
-    /// Checks that a run could have made this plan.
-    fn check_plan(&self) -> Result<(), String> {
-        let plan = &self.run.plan;
+    /// Checks that a run could have made this schedule.
+    fn check_schedule(&self) -> Result<(), String> {
+        let schedule = &self.run.schedule;
         let ascends =
-            plan.windows(2).all(|pair| pair[0][0] < pair[1][0] && pair[1][0] < pair[0][1]);
-        let first = plan.first().is_none_or(|entry| entry[0] == 0);
-        if !ascends || !first || plan.iter().any(|[step, steps]| step >= steps) {
-            return Err("`run.plan` is not a plan of `--minutes`: its steps must ascend from 0, and each must be less \
-                        than the number of all steps that was planned there; remove it"
+            schedule.windows(2).all(|pair| pair[0][0] < pair[1][0] && pair[1][0] < pair[0][1]);
+        let first = schedule.first().is_none_or(|entry| entry[0] == 0);
+        if !ascends || !first || schedule.iter().any(|[step, steps]| step >= steps) {
+            return Err("`run.schedule` is not a schedule of `--minutes`: its steps must ascend from 0, and each must be less \
+                        than the number of all steps that was chosen there; remove it"
                 .to_owned());
         }
-        match plan.last() {
+        match schedule.last() {
             Some([_, steps]) if *steps != self.run.steps => Err(format!(
-                "`run.plan` ends with {steps} steps, but `run.steps` is {}: remove the plan, put the number back, or \
+                "`run.schedule` ends with {steps} steps, but `run.steps` is {}: remove the schedule, put the number back, or \
                  use `--steps`",
                 self.run.steps
             )),

@@ -90,7 +90,7 @@ macro_rules! settings {
         ///
         /// let mut config = TrainConfig::default();
         /// config.run.steps = 500;
-        /// config.growth.max_gaussians = 20_000;
+        /// config.densification.max_gaussians = 20_000;
         /// let text = config.to_toml();
         /// assert_eq!(TrainConfig::parse(&text, "config.toml".as_ref())?, config);
         /// # Ok::<(), organza_core::Error>(())
@@ -184,8 +184,8 @@ macro_rules! define {
                 /// Number of training steps.
                 #[option("--steps <N>")]
                 steps: u32 = 2000, in 1..;
-                /// The plans of `--minutes`: pairs of a step and the number of all steps that was planned there.
-                plan: Vec<[u32; 2]> = Vec::new();
+                /// The schedule of `--minutes`: pairs of a step and the number of all steps that was chosen there.
+                schedule: Vec<[u32; 2]> = Vec::new();
                 /// Seed of all random choices.
                 #[option("--seed <N>")]
                 seed: u64 = 0;
@@ -282,7 +282,7 @@ macro_rules! define {
                 #[serde(skip_serializing_if = "Option::is_none", serialize_with = "as_text")]
                 path: Option<PathBuf> = None;
                 /// Number of first Gaussians if the data set has no points. If it has, there is one at each, up to
-                /// `growth.max_gaussians`.
+                /// `densification.max_gaussians`.
                 gaussians: u32 = 12_000, in 1..;
                 /// Their opacity.
                 opacity: f32 = 0.1, in 1e-4..=0.9999;
@@ -293,7 +293,7 @@ macro_rules! define {
                 spread: f32 = 0.1, in 0.0..=1e3;
             }
 
-            /// Adam (Kingma and Ba) and its learning rates. Those of `position` and of a pose's shift are parts of half
+            /// Adam (Kingma and Ba) and its learning rates. The rates of `position` and of a pose's shift are parts of half
             /// the scene box's longest side.
             optimizer: OptimizerConfig {
                 /// Adam's beta1.
@@ -326,7 +326,7 @@ macro_rules! define {
 
             /// How the number of Gaussians changes: Gaussians with the strongest gradient of their center are split,
             /// and transparent ones are removed.
-            growth: GrowthConfig {
+            densification: DensificationConfig {
                 /// Largest number of Gaussians. The option also limits the first ones.
                 #[option("--max-gaussians <N>")]
                 max_gaussians: u32 = 30_000, in 1..;

@@ -8,12 +8,28 @@ fn parse(text: &str) -> Result<TrainConfig> {
     TrainConfig::parse(text, Path::new("config.toml"))
 }
 
+/// Names that files of earlier runs have.
+#[test]
+fn settings_of_older_names_are_read_with_a_note() {
+    let builder = ConfigBuilder::new(Preset::Default).unwrap();
+    let text = "[run]\nsteps = 90\nplan = [[0, 100], [50, 90]]\n[growth]\nrate = 0.5\n";
+    let builder = builder.text(text, Path::new("config.toml")).unwrap();
+    let builder = builder.set("growth.end=0.25").unwrap();
+    let notes = builder.notes().join("; ");
+    for name in ["`densification`", "`densification.end`", "`run.schedule`"] {
+        assert!(notes.contains(name), "{notes}");
+    }
+    let config = builder.build().unwrap();
+    assert_eq!((config.densification.rate, config.densification.end), (0.5, 0.25));
+    assert_eq!(config.run.schedule.len(), 2);
+}
+
 #[test]
 fn a_file_reads_back() {
     let mut config = TrainConfig::default();
     config.data.path = Some("photographs".into());
     config.optimizer.grids.last = 1.234_567_890_123e-5;
-    config.growth.rate = 0.3;
+    config.densification.rate = 0.3;
     assert_eq!(parse(&config.to_toml()).unwrap(), config);
     assert_eq!(parse("").unwrap(), TrainConfig::default());
 }
@@ -28,7 +44,7 @@ fn mistakes_are_named() {
         ("[loss]\nssim_weight = nan", "`loss.ssim_weight` is NaN"),
         ("[optimizer.grids]\nfirst = 0.1\nlast = 0.0", "`optimizer.grids.last` is 0"),
         ("[data]\nalpha = 'magic'", "unknown variant `magic`"),
-        ("[growth]\nmax_gaussians = 9", "`start.gaussians` is 12000, more than the 9 of"),
+        ("[densification]\nmax_gaussians = 9", "`start.gaussians` is 12000, more than the 9 of"),
         ("[data]\nhold_out_every = 1", "`data.hold_out_every` is 1, which leaves nothing"),
         ("steps", "line 1:"),
         ("[run]\ntiles_per_step = 100000000", "at most 174762 of side 64"),
@@ -36,7 +52,7 @@ fn mistakes_are_named() {
         ("[start]\nopacity = 0.00009", "`start.opacity` is 0.00009, expected 0.0001 to 0.9999"),
         ("[scene.color_mlp]\nhidden = []", "`scene.color_mlp.hidden` has 0 layers"),
         ("[scene.color_mlp]\nhidden = [8, 8, 8, 8, 8]", "`scene.color_mlp.hidden` has 5 layers"),
-        ("[growth]\nrate = 7.0", "`growth.rate` is 7, expected 0 to 1"),
+        ("[densification]\nrate = 7.0", "`densification.rate` is 7, expected 0 to 1"),
         ("[data]\nbackground = [0.0, 2.0, 0.0]", "`data.background, green,` is 2, expected 0 to 1"),
     ] {
         let error = parse(text).unwrap_err().to_string();
@@ -57,7 +73,7 @@ fn a_run_too_large_for_memory_is_refused_with_its_needs() {
     let mut config = TrainConfig::default();
     config.check_memory().unwrap();
     config.start.gaussians = 200_000_000;
-    config.growth.max_gaussians = 200_000_000;
+    config.densification.max_gaussians = 200_000_000;
     let text = config.check_memory().unwrap_err().to_string();
     for fact in ["the tiles of a step 17.00 MiB", "Adam's moments 61.", "but", "are available"] {
         assert!(text.contains(fact), "{text}");
@@ -87,29 +103,31 @@ fn rates_cool_down_at_the_end() {
 }
 
 #[test]
-fn a_new_plan_keeps_earlier_fractions() {
+fn a_new_schedule_keeps_earlier_fractions() {
     let mut run = RunConfig { steps: 80, ..RunConfig::default() };
     assert_eq!([0, 20, 80, 90].map(|step| run.fraction(step)), [0.0, 0.25, 1.0, 1.0]);
-    run.replan(0, 100);
-    run.replan(50, 150);
+    run.reschedule(0, 100);
+    run.reschedule(50, 150);
     let fractions = [0, 25, 50, 100, 150].map(|step| run.fraction(step));
     assert_eq!(fractions, [0.0, 0.25, 0.5, 0.75, 1.0]);
-    // a later plan must not change earlier fractions by a single bit
+    // a later schedule must not change earlier fractions by a single bit
     let before: Vec<_> = (0..=60).map(|step| run.fraction(step).to_bits()).collect();
-    run.replan(61, 90);
+    run.reschedule(61, 90);
     assert!((0..=60).map(|step| run.fraction(step).to_bits()).eq(before));
     assert_eq!(run.fraction(90), 1.0);
 }
 
 #[test]
-fn only_a_plan_that_a_run_can_write_is_read() {
+fn only_a_schedule_that_a_run_can_write_is_read() {
     let parse = |text: &str| TrainConfig::parse(text, Path::new("run/config.toml"));
-    let plan = "[run]\nsteps = 90\nplan = [[0, 100], [50, 90]]";
-    let config = parse(plan).unwrap();
+    let schedule = "[run]\nsteps = 90\nschedule = [[0, 100], [50, 90]]";
+    let config = parse(schedule).unwrap();
     assert_eq!(parse(&config.to_toml()).unwrap(), config);
-    for plan in ["[[1, 90]]", "[[0, 9], [9, 90]]", "[[0, 50], [9, 60], [9, 90]]", "[[0, 100]]"] {
-        let text = parse(&format!("[run]\nsteps = 90\nplan = {plan}")).unwrap_err().to_string();
-        assert!(text.contains("`run.plan`"), "{text}");
+    for schedule in ["[[1, 90]]", "[[0, 9], [9, 90]]", "[[0, 50], [9, 60], [9, 90]]", "[[0, 100]]"]
+    {
+        let text =
+            parse(&format!("[run]\nsteps = 90\nschedule = {schedule}")).unwrap_err().to_string();
+        assert!(text.contains("`run.schedule`"), "{text}");
     }
 }
 

@@ -26,8 +26,8 @@ fn timing(step: u64) -> Record {
     Record::Timing { step, rows: vec![row] }
 }
 
-fn growth(step: u64) -> Record {
-    Record::Growth { step, split: 1, pruned: 3, gaussians: 10 }
+fn densification(step: u64) -> Record {
+    Record::Densification { step, split: 1, pruned: 3, gaussians: 10 }
 }
 
 fn change(step: u64) -> Record {
@@ -59,19 +59,19 @@ fn session(step: u64) -> Record {
 #[test]
 fn records_are_lines_of_json() {
     let (_folder, path) =
-        write(&[session(0), step(1), evaluation(2), growth(3), timing(3), change(3)]);
+        write(&[session(0), step(1), evaluation(2), densification(3), timing(3), change(3)]);
     let text = fs::read_to_string(&path).unwrap();
     let expected = [
         r#"{"kind":"session","step":0,"date":"2026-01-31T09:30:00Z","command":"organza train -o run","version":"0.1.0","commit":null,"device":"cpu: 2 threads"}"#,
         r#"{"kind":"step","step":1,"seconds":0.3333333333333333,"loss":1.0,"l1":0.125,"ssim":0.75,"psnr":20.5,"tiles_per_second":1000.0,"gaussians":11,"rates":{"networks":0.001,"position":0.00025}}"#,
         r#"{"kind":"evaluation","step":2,"seconds":2.0,"psnr":null,"ssim":0.5,"views":[{"name":"a \"b\"\n.png","psnr":null,"ssim":0.5}]}"#,
-        r#"{"kind":"growth","step":3,"split":1,"pruned":3,"gaussians":10}"#,
+        r#"{"kind":"densification","step":3,"split":1,"pruned":3,"gaussians":10}"#,
         r#"{"kind":"timing","step":3,"rows":[{"stage":"forward","seconds":1.5,"share":0.25}]}"#,
         r#"{"kind":"change","step":3,"name":"run.steps","from":40,"to":60}"#,
     ];
     assert_eq!(text.lines().collect::<Vec<_>>(), expected);
     let records = MetricsLog::read(&path).unwrap();
-    let expected = [&session(0), &step(1), &growth(3), &timing(3)];
+    let expected = [&session(0), &step(1), &densification(3), &timing(3)];
     assert_eq!([&records[0], &records[1], &records[3], &records[4]], expected);
     assert_eq!(records[5], change(3));
     assert!(matches!(&records[2], Record::Evaluation { psnr: None, ssim: Some(0.5), .. }));
@@ -90,7 +90,7 @@ fn infinite_values_are_read_as_nan() {
 #[test]
 fn resuming_drops_later_records() {
     let (_folder, path) =
-        write(&[step(1), change(1), step(2), change(2), evaluation(2), step(3), growth(4)]);
+        write(&[step(1), change(1), step(2), change(2), evaluation(2), step(3), densification(4)]);
     let mut log = MetricsLog::resume(&path, 2).unwrap();
     log.append(&step(3)).unwrap();
     log.append(&timing(3)).unwrap();

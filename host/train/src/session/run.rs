@@ -8,8 +8,8 @@ use super::state::SessionState;
 use crate::evaluate::save_csv;
 use crate::folder::{CHECKPOINT, EVALUATIONS, OpenLog};
 use crate::metrics::Record;
-use crate::plan::Planner;
 use crate::ranks;
+use crate::schedule::Scheduler;
 use crate::start::first_scene;
 use crate::{
     Change, Checkpoint, Event, Outcome, Progress, Session, StepHooks, StepReport, Trainer, Watch,
@@ -34,7 +34,7 @@ impl Session<'_> {
     /// Like [`Session::run`], but every step calls `hooks`: see [`Trainer::step_with`].
     ///
     /// # Errors
-    /// The same errors as [`Session::run`], and those of the hooks.
+    /// The errors of [`Session::run`] and of the hooks.
     pub fn run_with(
         &self,
         resume: bool,
@@ -74,7 +74,9 @@ impl Session<'_> {
             evaluated,
             seconds: progress.seconds,
             begin,
-            planner: self.planned.map(|seconds| Planner::new(seconds, self.dataset.held_out.len())),
+            scheduler: self
+                .scheduled
+                .map(|seconds| Scheduler::new(seconds, self.dataset.held_out.len())),
             best,
             stages: BTreeMap::new(),
             since: (0, progress.seconds),
@@ -134,7 +136,7 @@ pub(super) const SEEN_AFTER: u32 = 10;
 const MOVED_AFTER: u32 = 200;
 const ENDS: u32 = 50;
 /// Least part of the loss that must be gone by then. Tiles differ, so a loss that stands still moves a little, too.
-const LEAST_GAIN: f64 = 0.03;
+const MIN_GAIN: f64 = 0.03;
 
 /// The mean losses of the first steps of a new run, and of the last ones before it is judged.
 #[derive(Debug, Default)]
@@ -154,14 +156,14 @@ impl SessionState<'_, '_, '_> {
         // Gaussians that another program has made may be as good as they can be
         let is_new = self.trainer.config().start.path.is_none();
         let reason = match step {
-            // growth forgets what was seen
-            SEEN_AFTER if report.grown.is_none() && self.trainer.seen()? == 0 => {
+            // densification forgets what was seen
+            SEEN_AFTER if report.densified.is_none() && self.trainer.seen()? == 0 => {
                 format!("the first {SEEN_AFTER} steps have shown no Gaussian")
             }
             MOVED_AFTER if is_new => {
                 let [first, last] = self.first_steps.0;
                 // also false if the run was resumed meanwhile, and the first losses are unknown
-                if first == 0.0 || last < (1.0 - LEAST_GAIN) * first {
+                if first == 0.0 || last < (1.0 - MIN_GAIN) * first {
                     return Ok(());
                 }
                 format!(

@@ -7,8 +7,8 @@ use std::time::{Duration, Instant};
 use super::run::{FirstSteps, SEEN_AFTER};
 use crate::held_out;
 use crate::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
-use crate::plan::{Now, Planner};
 use crate::ranks::{Order, tell};
+use crate::schedule::{Now, Scheduler};
 use crate::{
     BEST, Binding, CAMERAS, CHECKPOINT, CONFIG, Change, Evaluation, Event, METRICS, Outcome,
     Session, StepHooks, StepReport, Trainer, Watch,
@@ -32,7 +32,7 @@ pub(super) struct SessionState<'a, 'w, 'h> {
     pub seconds: f64,
     /// When this session began.
     pub begin: Instant,
-    pub planner: Option<Planner>,
+    pub scheduler: Option<Scheduler>,
     /// PSNR of the best checkpoint, over the views that all evaluations measure.
     pub best: Option<f64>,
     /// Seconds of each kernel and of other stages.
@@ -51,7 +51,7 @@ impl SessionState<'_, '_, '_> {
         let mut has_checkpoint = self.trainer.steps() > 0;
         let outcome = loop {
             let step = self.trainer.steps();
-            self.plan()?;
+            self.schedule()?;
             let run = self.trainer.config().run.clone();
             if step >= run.steps {
                 break Outcome::Finished;
@@ -103,17 +103,17 @@ impl SessionState<'_, '_, '_> {
         self.session.ranks.as_deref().map_or(Ok(()), |ranks| tell(ranks, &order))
     }
 
-    /// In a run planned by time, updates the number of steps and writes it to the settings.
-    fn plan(&mut self) -> Result<()> {
-        let Some(planner) = &mut self.planner else { return Ok(()) };
+    /// In a run with a time to end at, updates the number of steps and writes it to the settings.
+    fn schedule(&mut self) -> Result<()> {
+        let Some(scheduler) = &mut self.scheduler else { return Ok(()) };
         let step = self.trainer.finished();
         let gaussians = self.trainer.scene().len();
         let elapsed = self.begin.elapsed().as_secs_f64();
         let now = Now { step, gaussians, training: self.seconds, elapsed };
-        if let Some(steps) = planner.plan(self.trainer.config(), now) {
-            self.trainer.replan(steps);
+        if let Some(steps) = scheduler.schedule(self.trainer.config(), now) {
+            self.trainer.reschedule(steps);
             self.trainer.config().save(self.session.folder.path().join(CONFIG))?;
-            (self.watch)(Event::Planned(steps))?;
+            (self.watch)(Event::Scheduled(steps))?;
         }
         Ok(())
     }
@@ -140,8 +140,8 @@ impl SessionState<'_, '_, '_> {
             let begin = Instant::now();
             let (_, image) = self.trainer.measure_one(frames[0])?;
             (self.watch)(Event::FirstView(&image))?;
-            if let Some(planner) = &mut self.planner {
-                planner.evaluated(begin.elapsed().as_secs_f64(), frames.len());
+            if let Some(scheduler) = &mut self.scheduler {
+                scheduler.evaluated(begin.elapsed().as_secs_f64(), frames.len());
             }
             let _ = renderer.device().take_timings();
         }
@@ -194,11 +194,11 @@ impl SessionState<'_, '_, '_> {
         let StepReport { step, gaussians, .. } = *report;
         self.since.0 += report.tiles;
         let numbers = (u64::from(step), gaussians as u64);
-        if let Some(grown) = report.grown {
-            self.record(&Record::Growth {
+        if let Some(densified) = report.densified {
+            self.record(&Record::Densification {
                 step: numbers.0,
-                split: u64::from(grown.split),
-                pruned: u64::from(grown.pruned),
+                split: u64::from(densified.split),
+                pruned: u64::from(densified.pruned),
                 gaussians: numbers.1,
             })?;
         }
@@ -257,7 +257,7 @@ impl SessionState<'_, '_, '_> {
         Camera::save_all(folder.path().join(CAMERAS), &cameras)
     }
 
-    /// Measures the held-out views, all of them or those of an intermediate evaluation. Returns false if the run was
+    /// Measures the held-out views: all of them, or an intermediate evaluation's. Returns false if the run was
     /// stopped before the last view.
     fn evaluate(&mut self, all: bool) -> Result<bool> {
         let views = self.trainer.config().run.evaluate_views;
@@ -296,8 +296,8 @@ impl SessionState<'_, '_, '_> {
             self.record(&Record::evaluation(step, self.seconds, &evaluation))?;
         }
         (self.watch)(Event::Evaluated(&evaluation))?;
-        if let Some(planner) = &mut self.planner {
-            planner.evaluated(begin.elapsed().as_secs_f64(), frames.len());
+        if let Some(scheduler) = &mut self.scheduler {
+            scheduler.evaluated(begin.elapsed().as_secs_f64(), frames.len());
         }
         // the time of an evaluation is not part of training
         let _ = self.session.renderer.device().take_timings();

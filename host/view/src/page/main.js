@@ -14,7 +14,7 @@ import { Training } from "./training.js";
 const MODES = {
   color: ["Color", ""], visibility: ["Visibility", "mean T of a pixel's Gaussians"], weight: ["Weight", "S, the sum of the weights"],
   depth: ["Depth", "in world units"], normal: ["Normals", "shortest axes, in world space"],
-  members: ["Members", "Gaussians of a pixel"], error: ["Error", "difference from the photograph"],
+  gaussians: ["Gaussians", "number in a pixel"], error: ["Error", "difference from the photograph"],
 };
 const HOVER = 150; // milliseconds that the pointer rests
 const SIZES = [[640, 480], [960, 720], [1280, 720], [1920, 1080]];

@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use crate::home::home;
 use crate::picture::encode_jpeg;
 use muslin::KernelInfo;
-use muslin_device::{Device, Part, PlannedBuffer, Step};
+use muslin_device::{BufferRange, Device, PlannedBuffer, Step};
 use organza_core::camera::{Camera, Orbit};
 use organza_core::{Result, Scene};
 use organza_render::{
@@ -324,7 +324,7 @@ const STEPS: [u16; 2] = [2, 1];
 /// Capacities, as multiples of the measured cameras' needs.
 const LEVELS: [f64; 3] = [1.2, 3.0, 8.0];
 /// Added to every capacity.
-const LEAST: u32 = 1024;
+const MIN_CAPACITY: u32 = 1024;
 
 /// Measures the capacities of a page's frames: each size with each length of steps, from small to large capacities.
 fn measure(
@@ -336,25 +336,25 @@ fn measure(
     let mut shapes = Vec::new();
     for shrink in SHRINKS {
         let size = size.map(|side| side.div_ceil(shrink));
-        let mut most = [Capacity { pairs: 0, members: 0, samples: 0 }; STEPS.len()];
+        let mut max = [Capacity { pairs: 0, intersections: 0, samples: 0 }; STEPS.len()];
         for camera in cameras {
             let found = renderer.capacities(scene, &camera.with_size(size), SIDE, &STEPS)?;
-            for (most, found) in most.iter_mut().zip(found) {
-                most.pairs = most.pairs.max(found.pairs);
-                most.members = most.members.max(found.members);
-                most.samples = most.samples.max(found.samples);
+            for (max, found) in max.iter_mut().zip(found) {
+                max.pairs = max.pairs.max(found.pairs);
+                max.intersections = max.intersections.max(found.intersections);
+                max.samples = max.samples.max(found.samples);
             }
         }
         let [columns, rows] = size.map(|side| side.div_ceil(SIDE));
-        for (steps, most) in STEPS.into_iter().zip(most) {
+        for (steps, max) in STEPS.into_iter().zip(max) {
             shapes.extend(LEVELS.map(|factor| {
-                let room = |number| (f64::from(number) * factor) as u32 + LEAST;
+                let room = |number| (f64::from(number) * factor) as u32 + MIN_CAPACITY;
                 let gaussians = scene.len() as u32;
                 let capacity = Capacity {
                     // one camera sees at most all Gaussians
-                    pairs: room(most.pairs).min(gaussians),
-                    members: room(most.members),
-                    samples: room(most.samples),
+                    pairs: room(max.pairs).min(gaussians),
+                    intersections: room(max.intersections),
+                    samples: room(max.samples),
                 };
                 FrameShape { tiles: columns * rows, side: SIDE, steps, capacity }
             }));
@@ -395,12 +395,12 @@ fn replayed(shape: &FrameShape, frame: &Frame, scene_buffers: u32) -> Value {
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(buffer.contents.as_deref()?);
         Some((number(at), words))
     });
-    let Capacity { pairs, members, samples } = shape.capacity;
+    let Capacity { pairs, intersections, samples } = shape.capacity;
     json!({
         "tiles": shape.tiles,
         "side": shape.side,
         "steps": shape.steps,
-        "capacity": [pairs, members, samples],
+        "capacity": [pairs, intersections, samples],
         // lengths of the plan's own buffers, in bytes; they are numbered after the scene's buffers
         "buffers": plan.buffers.iter().map(|buffer| buffer.bytes).collect::<Vec<_>>(),
         // buffers with initial content, as words
@@ -414,12 +414,12 @@ fn replayed(shape: &FrameShape, frame: &Frame, scene_buffers: u32) -> Value {
 }
 
 /// A step in the form that the page reads:
-/// - `[kernel, params, [[word, counts, place, first, most], ..], [[buffer, begin, bytes], ..], workgroups]`
+/// - `[kernel, params, [[word, counts, place, first, max], ..], [[buffer, begin, bytes], ..], workgroups]`
 /// - `["clear", buffer, begin, bytes]`
 /// - `["copy", from, begin, bytes, to, at]`
 /// - `["publish"]`
 fn step(step: &Step, number: &impl Fn(u32) -> u32) -> Value {
-    let part = |part: &Part| json!([number(part.buffer), part.begin, part.bytes]);
+    let part = |part: &BufferRange| json!([number(part.buffer), part.begin, part.bytes]);
     match step {
         Step::Dispatch { kernel, params, counts, buffers, workgroups } => {
             let counts = counts.iter().map(|count| {

@@ -15,14 +15,14 @@ use crate::scene::device_scene::DeviceScene;
 use crate::scene::field::DeviceField;
 use crate::scene::network::LayerPlace;
 use crate::stages::cut::words;
-use crate::stages::tiles::Bins;
+use crate::stages::tiles::TileBins;
 use muslin_device::{Buffer, Device, Result};
 
 /// What the backward pass of a field reads, and where it adds.
 #[derive(Clone, Copy)]
 pub struct FieldBackward<'a> {
     pub scene: &'a DeviceScene,
-    pub bins: &'a Bins,
+    pub bins: &'a TileBins,
     pub field: &'a DeviceField,
     pub inputs: Inputs<'a>,
     /// `[pairs + 1]`: each pair's first sample; `None` if every pair is one sample.

@@ -110,7 +110,7 @@ export class Frame {
   }
 
   // Renders an image of a camera, which the plan has enough tiles for. Gives the counts: whether there was too little room, and how many
-  // pairs, members and samples there are.
+  // pairs, intersections and samples there are.
   async render(camera) {
     const { device } = this.player, { tiles, side } = this.plan;
     device.queue.writeBuffer(this.camera, 0, packed(camera));

@@ -16,22 +16,22 @@ use crate::scene::into_arrays;
 
 /// A rendered batch that keeps what its gradient needs: `Renderer.record` makes one.
 #[pyclass(frozen, weakref, module = "organza")]
-pub struct Recording {
+pub struct Tape {
     pub renderer: organza::Renderer,
     pub held: Arc<Mutex<SceneOnDevice>>,
-    pub recording: Arc<Mutex<organza::Recording>>,
+    pub tape: Arc<Mutex<organza::Tape>>,
     pub shape: [usize; 4],
     pub cameras: usize,
 }
 
 #[pymethods]
-impl Recording {
+impl Tape {
     /// The tiles Y `[K, 3, S, S]`, and a dictionary of the requested channels, `[K, planes, S, S]`.
     fn tiles<'py>(
         &self,
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyArray4<f32>>, Bound<'py, PyDict>)> {
-        let rendered = py.detach(|| lock(&self.recording).tiles().clone());
+        let rendered = py.detach(|| lock(&self.tape).tiles().clone());
         into_batch(py, rendered)
     }
 
@@ -48,7 +48,7 @@ impl Recording {
         let grad_tiles = self.values(grad_tiles)?;
         let held = Arc::clone(&self.held);
         let renderer = self.renderer.clone();
-        let recording = Arc::clone(&self.recording);
+        let tape = Arc::clone(&self.tape);
         let values = job::run(py, move || {
             let held = &mut *lock(&held);
             let device = renderer.device();
@@ -57,7 +57,7 @@ impl Recording {
                 None => SceneGradient::new(device, &held.scene)?,
             };
             let gradient = held.gradient.insert(gradient);
-            lock(&recording).backward_into(gradient, &grad_tiles)?;
+            lock(&tape).backward_into(gradient, &grad_tiles)?;
             let config = held.scene.config();
             let len = held.scene.len();
             Ok(gradient.download(device, config, len)?.into_values())
@@ -76,13 +76,13 @@ impl Recording {
         let grad_tiles = self.values(grad_tiles)?;
         let held = Arc::clone(&self.held);
         let renderer = self.renderer.clone();
-        let recording = Arc::clone(&self.recording);
+        let tape = Arc::clone(&self.tape);
         let cameras = self.cameras;
         let (values, poses) = job::run(py, move || {
             let held = &*lock(&held);
             let device = renderer.device();
             let gradient = SceneGradient::new(device, &held.scene)?.with_poses(device, cameras)?;
-            lock(&recording).backward_into(&gradient, &grad_tiles)?;
+            lock(&tape).backward_into(&gradient, &grad_tiles)?;
             let config = held.scene.config();
             let values = gradient.download(device, config, held.scene.len())?.into_values();
             let mut poses = gradient.read_poses(device)?;
@@ -98,7 +98,7 @@ impl Recording {
 
     /// Frees the recorded data. `backward` then renders again.
     fn release(&self, py: Python<'_>) {
-        py.detach(|| lock(&self.recording).release());
+        py.detach(|| lock(&self.tape).release());
     }
 
     #[getter]
@@ -107,7 +107,7 @@ impl Recording {
     }
 }
 
-impl Recording {
+impl Tape {
     /// The values of `grad_tiles [K, 3, S, S]`, dL/dY, checked.
     fn values(&self, grad_tiles: &Bound<'_, PyAny>) -> PyResult<Vec<f32>> {
         let numpy = grad_tiles.py().import("numpy")?;

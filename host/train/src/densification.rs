@@ -2,7 +2,7 @@
 
 use glam::{Quat, Vec3};
 
-use super::config::GrowthConfig;
+use super::config::DensificationConfig;
 use organza_core::scene::{Gaussians, logit};
 
 /// Distance of a split Gaussian's halves from it, in standard deviations, along its longest axis;
@@ -24,7 +24,7 @@ pub struct Population {
 
 /// The fates of the Gaussians.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Grown {
+pub struct DensificationStats {
     /// Split in two.
     pub split: u32,
     /// Taken away.
@@ -41,10 +41,10 @@ struct Child {
 
 /// The fate of each Gaussian. It follows from few numbers of each.
 #[derive(Debug)]
-struct GrowthPlan {
+struct Densification {
     /// `[N]`: how many each becomes, 0 to 2.
     counts: Vec<u32>,
-    grown: Grown,
+    densified: DensificationStats,
 }
 
 /// How much a Gaussian is in need of a split: how strong a gradient its center felt, on average over the views that saw it.
@@ -52,10 +52,10 @@ fn strength([sum, views, ..]: [f32; 4]) -> f32 {
     if views > 0.0 { sum / views } else { 0.0 }
 }
 
-impl GrowthPlan {
+impl Densification {
     /// Of the opacities' logits `[N]` and the [strengths](strength) `[N]`: those whose center feels the strongest gradient
     /// become two.
-    fn new(config: &GrowthConfig, opacity: &[f32], strength: &[f32]) -> Self {
+    fn new(config: &DensificationConfig, opacity: &[f32], strength: &[f32]) -> Self {
         let is_kept = |&i: &usize| sigmoid(opacity[i]) >= config.min_opacity;
         let mut kept: Vec<_> = (0..opacity.len()).filter(is_kept).collect();
         if kept.is_empty() {
@@ -71,10 +71,10 @@ impl GrowthPlan {
         by_strength.truncate(room);
         by_strength.retain(|&i| strength[i] > 0.0);
         by_strength.iter().for_each(|&i| counts[i] = 2);
-        Self { counts, grown: Grown { split: by_strength.len() as u32, pruned } }
+        Self { counts, densified: DensificationStats { split: by_strength.len() as u32, pruned } }
     }
 
-    /// The new scene's Gaussians in their order, which is that of their parents.
+    /// The new scene's Gaussians, in the order of their parents.
     fn children(&self) -> impl Iterator<Item = Child> {
         let of_parent = |(parent, &count): (usize, &u32)| {
             let sides: &[_] = match count {
@@ -109,7 +109,7 @@ fn sigmoid(x: f32) -> f32 {
 }
 
 /// How many may be added to `kept`.
-fn room(config: &GrowthConfig, kept: usize) -> usize {
+fn room(config: &DensificationConfig, kept: usize) -> usize {
     let wanted = (kept as f64 * config.rate).ceil() as usize;
     wanted.min((config.max_gaussians as usize).saturating_sub(kept))
 }
@@ -146,14 +146,14 @@ fn clear(gaussians: &mut Gaussians, is_new: &[bool]) {
 }
 
 /// Splits and removes Gaussians.
-pub fn grow(config: &GrowthConfig, population: &mut Population) -> Grown {
+pub fn densify(config: &DensificationConfig, population: &mut Population) -> DensificationStats {
     let Population { gaussians, moments, statistics } = population;
     let strengths: Vec<_> = statistics.iter().copied().map(strength).collect();
-    let plan = GrowthPlan::new(config, &gaussians.opacity, &strengths);
-    let children: Vec<_> = plan.children().collect();
+    let densification = Densification::new(config, &gaussians.opacity, &strengths);
+    let children: Vec<_> = densification.children().collect();
     apply(&children, gaussians, moments);
     *statistics = vec![[0.0; 4]; children.len()];
-    plan.grown
+    densification.densified
 }
 
 #[cfg(test)]
@@ -175,19 +175,19 @@ mod tests {
         scene
     }
 
-    fn config() -> GrowthConfig {
-        GrowthConfig { rate: 0.3, max_gaussians: 10, ..GrowthConfig::default() }
+    fn config() -> DensificationConfig {
+        DensificationConfig { rate: 0.3, max_gaussians: 10, ..DensificationConfig::default() }
     }
 
-    fn grown(
-        config: &GrowthConfig,
+    fn densified(
+        config: &DensificationConfig,
         scene: Scene,
         statistics: [[f32; 4]; 4],
-    ) -> (Population, Grown) {
+    ) -> (Population, DensificationStats) {
         let gaussians = scene.gaussians.clone();
         let moments = [gaussians.clone(), gaussians.clone()];
         let mut population = Population { gaussians, moments, statistics: statistics.to_vec() };
-        let counts = grow(config, &mut population);
+        let counts = densify(config, &mut population);
         let gaussians = population.gaussians.clone();
         Scene { gaussians, ..scene }.validate().unwrap();
         (population, counts)
@@ -198,9 +198,9 @@ mod tests {
         let statistics =
             [[1.0, 2.0, 5.0, 0.0], [9.0, 1.0, 5.0, 0.0], [1.0, 1.0, 5.0, 0.0], [0.0; 4]];
         let (Population { gaussians, moments: [moments, second], .. }, counts) =
-            grown(&config(), scene(), statistics);
+            densified(&config(), scene(), statistics);
         assert_eq!(moments, second);
-        assert_eq!(counts, Grown { split: 1, pruned: 1 });
+        assert_eq!(counts, DensificationStats { split: 1, pruned: 1 });
         // 0, both halves of 2, 3
         assert_eq!(gaussians.len(), 4);
         let [a, b] = [1, 2].map(|i| Vec3::from(gaussians.position[i]));
@@ -220,14 +220,14 @@ mod tests {
         scene.gaussians.opacity.fill(-200.0);
         scene.gaussians.log_scale[0] = [100.0; 3];
         scene.gaussians.rotation[1] = [0.0; 4];
-        let config = GrowthConfig { min_opacity: 0.0, rate: 1.0, ..config() };
-        let (population, _) = grown(&config, scene, [[1.0, 1.0, 5.0, 0.0]; 4]);
+        let config = DensificationConfig { min_opacity: 0.0, rate: 1.0, ..config() };
+        let (population, _) = densified(&config, scene, [[1.0, 1.0, 5.0, 0.0]; 4]);
         assert!(population.gaussians.opacity.iter().all(|&opacity| opacity == -200.0));
     }
 
     #[test]
-    fn growth_stops_at_its_limit() {
-        let config = GrowthConfig { max_gaussians: 4, ..config() };
+    fn densification_stops_at_its_limit() {
+        let config = DensificationConfig { max_gaussians: 4, ..config() };
         assert_eq!((room(&config, 4), room(&config, 3), room(&config, 9)), (0, 1, 0));
     }
 }

@@ -12,7 +12,7 @@ use organza_core::{Camera, Result};
 
 /// A Gaussian that reaches a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Member {
+pub struct PixelGaussian {
     pub gaussian: usize,
     /// Along the camera's axis, in world units.
     pub depth: f64,
@@ -20,53 +20,53 @@ pub struct Member {
     pub weight: f64,
 }
 
-/// The splats and tiles of a part with one camera, to find the members of its pixels.
+/// The splats and tiles of a part with one camera, to find the Gaussians of its pixels.
 #[derive(Debug)]
-pub struct Members {
+pub struct PartSplats {
     /// `[pairs]`: with one camera, these are Gaussians.
     pub pair: Vec<u32>,
     first: Vec<u32>,
-    member: Vec<u32>,
+    intersection: Vec<u32>,
     splat: Vec<Vec4>,
 }
 
-impl Members {
+impl PartSplats {
     pub fn read(device: &Device, part: &Part) -> Result<Self> {
         Ok(Self {
             pair: device.read(&part.bins.pairs.pair)?,
             first: device.read(&part.bins.tile_first)?,
-            member: device.read(&part.bins.member)?,
+            intersection: device.read(&part.bins.intersection)?,
             splat: device.read(&part.composite.splat)?,
         })
     }
 
     /// The Gaussians that reach a pixel of the image, which lies in the part's tile `tile`. `depths [N]` has every Gaussian's depth.
-    pub fn at(&self, tile: usize, pixel: [i32; 2], depths: &[f64]) -> Vec<Member> {
+    pub fn at(&self, tile: usize, pixel: [i32; 2], depths: &[f64]) -> Vec<PixelGaussian> {
         let square = KernelTile { camera: 0, origin: pixel, output: 0 };
         let center = square.pixel_center(0, 0);
         let range = self.first[tile] as usize..self.first[tile + 1] as usize;
-        let reaching = |&member: &u32| {
-            let at = member as usize * VECTORS as usize;
+        let reaching = |&pair: &u32| {
+            let at = pair as usize * VECTORS as usize;
             let q = splat_distance(self.splat[at], self.splat[at + 1], center.x, center.y);
-            let gaussian = self.pair[member as usize] as usize;
+            let gaussian = self.pair[pair as usize] as usize;
             let weight = f64::from(alpha(self.splat[at], q));
-            in_support(q).then(|| Member { gaussian, depth: depths[gaussian], weight })
+            in_support(q).then(|| PixelGaussian { gaussian, depth: depths[gaussian], weight })
         };
-        self.member[range].iter().filter_map(reaching).collect()
+        self.intersection[range].iter().filter_map(reaching).collect()
     }
 }
 
 /// The depth of a pixel's surface, and S, the sum of the weights. The surface is the median: Gaussians with half of the weight
-/// are nearer. Sorts the members by depth. `None` if S is 0.
-pub fn surface(members: &mut [Member]) -> Option<(f64, f64)> {
-    members.sort_by(|a, b| a.depth.total_cmp(&b.depth));
-    let sum: f64 = members.iter().map(|member| member.weight).sum();
+/// are nearer. Sorts them by depth. `None` if S is 0.
+pub fn surface(reaching: &mut [PixelGaussian]) -> Option<(f64, f64)> {
+    reaching.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+    let sum: f64 = reaching.iter().map(|one| one.weight).sum();
     let mut before = 0.0;
-    let half = members.iter().find(|member| {
-        before += member.weight;
+    let half = reaching.iter().find(|one| {
+        before += one.weight;
         before >= 0.5 * sum
     });
-    half.filter(|_| sum > 0.0).map(|member| (member.depth, sum))
+    half.filter(|_| sum > 0.0).map(|one| (one.depth, sum))
 }
 
 /// Depths of points `[N, 3]` along a camera's axis.

@@ -1,20 +1,20 @@
-//! Plans the number of steps that fit into the time of a run: `organza train --minutes`.
+//! Chooses the number of steps that fit into the time of a run: `organza train --minutes`.
 
 use super::config::TrainConfig;
 use super::held_out;
 
 /// Part of a step's time that grows with the number of Gaussians. Pixels, rays and fields take the rest.
 const PER_GAUSSIAN: f64 = 0.3;
-/// A new plan is made after steps 1, 2, 4 and so on, up to this one,
+/// A new schedule is made after steps 1, 2, 4 and so on, up to this one,
 const FIRST_STEPS: u32 = 64;
 /// then after each of this many equal parts of the time,
-const PLANS: f64 = 20.0;
-/// until this part of the time is over. So a run that is nearly done ends as planned.
+const UPDATES: f64 = 20.0;
+/// until this part of the time is over. So a run that is nearly done ends as chosen.
 const LAST: f64 = 0.97;
-/// Least number of steps in a plan before anything is measured. Only the first step depends on it.
+/// Least number of steps in a schedule before anything is measured. Only the first step depends on it.
 const UNKNOWN: u32 = 1000;
 /// An upper limit for the number of steps of any run.
-const MOST: u32 = 100_000_000;
+const MAX_STEPS: u32 = 100_000_000;
 
 /// The state of a run.
 #[derive(Clone, Copy, Debug)]
@@ -31,18 +31,18 @@ pub(super) struct Now {
 
 /// Chooses the number of steps of a run, and updates it while the run goes on.
 #[derive(Clone, Debug)]
-pub(super) struct Planner {
+pub(super) struct Scheduler {
     /// Seconds that the run should take.
     seconds: f64,
     /// Number of held-out views.
     views: usize,
     per_view: f64,
-    /// State at the last plan.
+    /// State at the last schedule.
     last: Option<Now>,
 }
 
-impl Planner {
-    /// A planner for a run of `seconds`, with `views` held-out views.
+impl Scheduler {
+    /// The schedule of a run of `seconds`, with `views` held-out views.
     pub fn new(seconds: f64, views: usize) -> Self {
         Self { seconds, views, per_view: 0.0, last: None }
     }
@@ -52,14 +52,14 @@ impl Planner {
         self.per_view = seconds / views.max(1) as f64;
     }
 
-    /// The total number of steps, if it is time for a new plan.
-    pub fn plan(&mut self, config: &TrainConfig, now: Now) -> Option<u32> {
+    /// The total number of steps, if it is time for a new schedule.
+    pub fn schedule(&mut self, config: &TrainConfig, now: Now) -> Option<u32> {
         let Some(last) = self.last else {
             self.last = Some(now);
             return Some(now.step.saturating_add(config.run.steps.max(UNKNOWN)));
         };
         let is_early = now.step <= FIRST_STEPS && now.step.is_power_of_two();
-        let is_due = is_early || now.elapsed - last.elapsed >= self.seconds / PLANS;
+        let is_due = is_early || now.elapsed - last.elapsed >= self.seconds / UPDATES;
         let is_late = !is_early && now.elapsed >= LAST * self.seconds;
         if now.step <= last.step || now.step >= config.run.steps || !is_due || is_late {
             return None;
@@ -72,7 +72,7 @@ impl Planner {
     /// Number of further steps that fit if one takes `per_step` seconds now, following the number of Gaussians to the
     /// end.
     fn steps_left(&self, config: &TrainConfig, now: Now, per_step: f64) -> u32 {
-        let growth = &config.growth;
+        let densification = &config.densification;
         let per_evaluation = match config.run.evaluate_every {
             0 => 0.0,
             every => {
@@ -87,18 +87,18 @@ impl Planner {
         let mut steps = 0_u32;
         let mut gaussians = now.gaussians as f64;
         loop {
-            let grown = gaussians / now.gaussians.max(1) as f64;
-            let cost = per_step * (1.0 - PER_GAUSSIAN + PER_GAUSSIAN * grown) + per_evaluation;
-            let next = cost * f64::from(growth.every);
-            if used + next >= time || steps > MOST {
+            let more = gaussians / now.gaussians.max(1) as f64;
+            let cost = per_step * (1.0 - PER_GAUSSIAN + PER_GAUSSIAN * more) + per_evaluation;
+            let next = cost * f64::from(densification.every);
+            if used + next >= time || steps > MAX_STEPS {
                 return steps.saturating_add(((time - used) / cost) as u32).max(1);
             }
             used += next;
-            steps = steps.saturating_add(growth.every);
+            steps = steps.saturating_add(densification.every);
             let fraction = (now.elapsed + used) / self.seconds;
-            if (growth.begin..=growth.end).contains(&fraction) {
-                let most = f64::from(growth.max_gaussians);
-                gaussians = (gaussians * (1.0 + growth.rate)).min(most.max(gaussians));
+            if (densification.begin..=densification.end).contains(&fraction) {
+                let max = f64::from(densification.max_gaussians);
+                gaussians = (gaussians * (1.0 + densification.rate)).min(max.max(gaussians));
             }
         }
     }
@@ -114,33 +114,33 @@ mod tests {
         config.run.evaluate_views = 5;
         let start = f64::from(config.start.gaussians);
         let evaluation = 4.0;
-        let mut planner = Planner::new(seconds, 10);
+        let mut scheduler = Scheduler::new(seconds, 10);
         // the evaluation of one view before the first step
-        planner.evaluated(evaluation / 5.0, 1);
+        scheduler.evaluated(evaluation / 5.0, 1);
         let mut now = Now { step: 0, gaussians: start as usize, training: 0.0, elapsed: 0.0 };
         loop {
-            if let Some(steps) = planner.plan(&config, now) {
-                config.run.replan(now.step, steps);
+            if let Some(steps) = scheduler.schedule(&config, now) {
+                config.run.reschedule(now.step, steps);
             }
             if now.step >= config.run.steps {
                 return (now.elapsed + 2.0 * evaluation, config);
             }
             if now.step > 0 && now.step.is_multiple_of(config.run.evaluate_every) {
                 now.elapsed += evaluation;
-                planner.evaluated(evaluation, 5);
+                scheduler.evaluated(evaluation, 5);
             }
             let fraction = config.run.fraction(now.step);
             let took = cost(fraction, now.gaussians as f64);
             now.step += 1;
             now.training += took;
             now.elapsed += took;
-            let growth = &config.growth;
+            let densification = &config.densification;
             let fraction = config.run.fraction(now.step);
-            if now.step.is_multiple_of(growth.every)
-                && (growth.begin..=growth.end).contains(&fraction)
+            if now.step.is_multiple_of(densification.every)
+                && (densification.begin..=densification.end).contains(&fraction)
             {
-                let grown = now.gaussians as f64 * (1.0 + growth.rate);
-                now.gaussians = (grown as usize).min(growth.max_gaussians as usize);
+                let more = now.gaussians as f64 * (1.0 + densification.rate);
+                now.gaussians = (more as usize).min(densification.max_gaussians as usize);
             }
         }
     }
@@ -166,7 +166,7 @@ mod tests {
                 // fractions follow time: half of the run is done after about half of its time
                 let middle = config.run.fraction(config.run.steps / 2);
                 assert!((0.3..0.7).contains(&middle), "cost {index}, {seconds} s: {middle}");
-                TrainConfig::parse(&config.to_toml(), std::path::Path::new("a plan")).unwrap();
+                TrainConfig::parse(&config.to_toml(), std::path::Path::new("a schedule")).unwrap();
             }
         }
     }

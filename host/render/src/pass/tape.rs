@@ -24,16 +24,16 @@ use organza_core::{Camera, Channel, Error, RenderedTiles, Result, TileBatch};
 /// let cameras = demo::turntable(1, 32);
 /// let batch = TileBatch { side: 8, tiles: vec![Tile { camera: 0, origin: [12, 12] }] };
 ///
-/// let recording = renderer.record(&scene, &cameras, &batch)?;
+/// let tape = renderer.record(&scene, &cameras, &batch)?;
 /// // the loss is half the sum of squares, so dL/dY is Y
-/// let gradient = recording.backward(&recording.tiles().data)?;
+/// let gradient = tape.backward(&tape.tiles().data)?;
 /// assert_eq!(gradient.gaussians.position.len(), scene.len());
 /// # Ok::<(), organza_core::Error>(())
 /// ```
 ///
-/// A batch in many parts keeps the first of them, as far as they fit; [`Recording::backward`] renders the others again.
+/// A batch in many parts keeps the first of them, as far as they fit; [`Tape::backward`] renders the others again.
 #[derive(Debug)]
-pub struct Recording {
+pub struct Tape {
     renderer: Renderer,
     scene: DeviceScene,
     /// [`DeviceScene::write`]s before it was rendered.
@@ -54,7 +54,7 @@ impl Renderer {
         scene: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
-    ) -> Result<Recording> {
+    ) -> Result<Tape> {
         self.record_channels(scene, cameras, batch, &[])
     }
 
@@ -68,7 +68,7 @@ impl Renderer {
         cameras: &[Camera],
         batch: &TileBatch,
         channels: &[Channel],
-    ) -> Result<Recording> {
+    ) -> Result<Tape> {
         scene.require_gradients()?;
         let version = scene.version.load(Ordering::Relaxed);
         let pass = self.pass(scene, cameras);
@@ -76,7 +76,7 @@ impl Renderer {
         let mut tiles = RenderedTiles::new(batch, channels)?;
         let output = &mut Output::Tiles { tiles: &mut tiles, channels };
         pass.forward(&mut parts, true, output, &mut |_| {})?;
-        Ok(Recording {
+        Ok(Tape {
             renderer: self.clone(),
             scene: scene.clone(),
             version,
@@ -111,7 +111,7 @@ impl Renderer {
     /// ```
     ///
     /// # Errors
-    /// The same errors as [`Recording::backward`](crate::Recording::backward).
+    /// The same errors as [`Tape::backward`](crate::Tape::backward).
     pub fn gradient(
         &self,
         scene: &DeviceScene,
@@ -142,7 +142,7 @@ impl Renderer {
     }
 }
 
-impl Recording {
+impl Tape {
     /// Y `[K, 3, S, S]`
     #[must_use]
     pub fn tiles(&self) -> &RenderedTiles {
@@ -159,22 +159,22 @@ impl Recording {
         self.download(grad_tiles, false).map(|(gradient, _)| gradient)
     }
 
-    /// Like [`Recording::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation
-    /// vector and the shift of [`Camera::moved`], where both are 0. Those of a camera that shows no tile are 0. As the
+    /// Like [`Tape::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation
+    /// vector and the shift of [`Camera::moved`], where both are 0. The gradients of a camera that shows no tile are 0. As the
     /// networks see positions and directions as constants, they see the camera's center as one.
     ///
     /// # Errors
-    /// The same errors as [`Recording::backward`].
+    /// The same errors as [`Tape::backward`].
     pub fn backward_with_poses(&self, grad_tiles: &[f32]) -> Result<(Gradient, Vec<[f32; POSE]>)> {
         self.download(grad_tiles, true)
     }
 
-    /// Like [`Recording::backward`], into buffers that are kept from one batch to the next. Their values before do not
+    /// Like [`Tape::backward`], into buffers that are kept from one batch to the next. Their values before do not
     /// matter. [`TensorGradient::read_into`](crate::TensorGradient::read_into) and [`SceneGradient::download`] read
     /// them.
     ///
     /// # Errors
-    /// The same errors as [`Recording::backward`].
+    /// The same errors as [`Tape::backward`].
     pub fn backward_into(&self, gradient: &SceneGradient, grad_tiles: &[f32]) -> Result<()> {
         let device = self.renderer.device();
         let found = grad_tiles.len();
@@ -192,7 +192,7 @@ impl Recording {
         Err(Error::Argument { reason })
     }
 
-    /// Gives up the memory of kept parts. [`Recording::backward`] then renders again.
+    /// Gives up the memory of kept parts. [`Tape::backward`] then renders again.
     pub fn release(&mut self) {
         self.parts().release();
     }

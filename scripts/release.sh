@@ -77,7 +77,7 @@ check() {
   folder=$(mktemp -d)
   tar -C "$folder" --strip-components 1 -xzf "$out/organza-$version-x86_64-linux.tar.gz"
   command=$(scripts/readme-command.sh run)
-  command=${command/cargo run --release --/organza}
+  command=${command/cargo run --release -p organza --/organza}
   (cd "$folder" && PATH=$folder:$PATH bash -euxo pipefail -c "$command")
   test -s "$folder/run/report.html"
   python3 -m venv "$folder/venv"

@@ -427,7 +427,7 @@ fn comparisons_show_different_settings_and_common_views() {
         .filter_map(|element| element.attributes.get("alt"))
         .map(String::as_str)
         .collect();
-    assert_eq!(pictures, ["Photograph of y", "y, rendered by a", "y, rendered by b"]);
+    assert_eq!(pictures, ["Rendering of y", "y, rendered by a", "y, rendered by b"]);
     let cells = texts(&page, "td");
     for row in [["a", "21.29", "0.6429"], ["run.seed", "0", "7"]] {
         assert!(cells.windows(3).any(|cells| cells == row), "{row:?}: {cells:?}");

@@ -21,7 +21,7 @@ const MIN_SEEN: f64 = 0.1;
 const MIN_COLORS: usize = 30;
 /// How much worse other points' colors fit the photographs, relative to the difference between what photographs show at points.
 /// It is 0.7 to 1 for the points of COLMAP, below 0.25 in the wrong place, and more if the points lie too close together.
-const EXPLAINED: RangeInclusive<f64> = 0.5..=2.0;
+const EXPLAINED: RangeInclusive<f64> = 0.65..=2.0;
 /// Least difference of colors from each other, in levels of 255.
 const MIN_SPREAD: f64 = 4.0;
 /// Most points and photographs that are compared.

@@ -87,8 +87,8 @@ fn a_step_sends_as_much_as_ever() {
         trainer.step().expect("a step");
     });
     insta::assert_snapshot!(views, @"
-    sum 16, max 24, exchange 18808, gather 7200, or 488, sum 17408, gather 80
-    sum 16, max 24, exchange 13112, gather 7128, or 488, sum 17408, gather 80
+    sum 16, max 24, exchange 11896, gather 6336, or 488, sum 18432, gather 80
+    sum 16, max 24, exchange 10592, gather 6768, or 488, sum 18432, gather 80
     ");
 }
 

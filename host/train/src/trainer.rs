@@ -258,7 +258,7 @@ impl Trainer {
         self.finish_steps()?;
         let drawn = self.draw(hooks);
         let report = self.finished_step(&drawn, hooks)?;
-        self.grow_if_due(report)
+        self.densify_if_due(report)
     }
 
     /// Goes on by one step. Returns the reports of the steps that are finished, in their order.
@@ -295,7 +295,7 @@ impl Trainer {
             }
         }
         if let Some(last) = reports.pop() {
-            reports.push(self.grow_if_due(last)?);
+            reports.push(self.densify_if_due(last)?);
         }
         Ok(reports)
     }
@@ -443,7 +443,7 @@ impl Trainer {
     }
 
     /// The report of the last step, with the change of the Gaussians if it is time for one.
-    fn grow_if_due(&mut self, report: StepReport) -> Result<StepReport> {
+    fn densify_if_due(&mut self, report: StepReport) -> Result<StepReport> {
         let is_due = report.step == self.step && self.is_time_to_densify();
         let densified = is_due.then(|| self.densify()).transpose()?;
         Ok(StepReport { densified, gaussians: self.scene().len(), ..report })

@@ -85,7 +85,10 @@ fn a_checkpoint_of_an_older_program_goes_on_with_a_warning() {
         assert!(metadata.remove("run").is_some(), "it is bound");
     });
     let outcome = sandbox.run(RESUME).assert_ok();
-    assert!(outcome.stderr.contains("warning: an older program wrote the checkpoint"), "{outcome:?}");
+    assert!(
+        outcome.stderr.contains("warning: an older program wrote the checkpoint"),
+        "{outcome:?}"
+    );
     assert_same("run", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
     // but not with other settings that may have any value
     sandbox.edit_tensors(SAVED, |metadata, _| {

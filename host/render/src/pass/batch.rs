@@ -279,8 +279,8 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// Queues what [`Self::backward`] does, and waits for nothing. Returns false, with nothing queued, where the host must wait:
-    /// for a batch of several parts, and where nothing is known of the room that such batches need.
+    /// Queues what [`Self::backward`] does, and waits for nothing. Returns the kind and the size of the batch. `None`, with nothing
+    /// queued, where the host must wait: for a batch of several parts, and if it does not know the room that such batches need.
     ///
     /// If the batch has too little room, or its loss is not finite, it raises [`OVERFLOW`](muslin::count::OVERFLOW) in the counts,
     /// and it adds nothing. Nor do later batches, until the flag is cleared.

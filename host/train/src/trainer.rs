@@ -265,13 +265,14 @@ impl Trainer {
     ///
     /// On a GPU, steps are queued: the host prepares the next one while the GPU works, and reads the losses of a step `ahead`
     /// steps later. It waits in every step for ranks, hooks, poses and exposures, whose numbers the next step needs, and where
-    /// [`Renderer::queue_loss_gradient`] says so. The bits of the scene are the same.
+    /// [`Renderer::queue_loss_gradient`] says so. On a CPU, nothing is queued. The bits of the scene are the same.
     ///
     /// # Errors
     /// The same errors as [`Trainer::step_with`].
     pub fn advance(&mut self, hooks: &mut StepHooks<'_>, ahead: usize) -> Result<Vec<StepReport>> {
         let drawn = self.draw(hooks);
-        let waits = self.ranks.is_some()
+        let waits = !self.renderer.device().has_indirect_counts()
+            || self.ranks.is_some()
             || self.poses.is_some()
             || self.exposures.is_some()
             || hooks.loss.is_some()

@@ -55,14 +55,15 @@ impl About {
         let gaussians = &scene.tensors().gaussians;
         // nothing, if the device fails
         let read = |values| renderer.device().read(values).unwrap_or_default();
-        let [position, log_scale, opacity] =
-            [&gaussians.position, &gaussians.log_scale, &gaussians.opacity].map(read);
-        let [position, log_scale] = [&position, &log_scale].map(|values| values.as_chunks().0);
+        let [position, opacity] = [&gaussians.position, &gaussians.opacity].map(read);
+        let position = position.as_chunks().0;
         let cameras: Vec<_> = poses.iter().map(|pose| pose.camera.clone()).collect();
         let home = home(&cameras, position, &opacity);
         // data sets have views of their own to begin with
         let visible = match home {
-            None if !opacity.is_empty() => bounds(position, log_scale, &opacity),
+            None if !opacity.is_empty() => {
+                bounds(position, read(&gaussians.log_scale).as_chunks().0, &opacity)
+            }
             _ => config.aabb,
         };
         let home = home.cloned().unwrap_or_else(|| overview(visible));

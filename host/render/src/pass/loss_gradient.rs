@@ -1,5 +1,7 @@
 //! The gradient of a batch's loss, of tiles beside photographs.
 
+use std::collections::BTreeMap;
+
 use super::batch::{Parts, Pass};
 use super::capacity::BatchKind;
 use super::output::Output;
@@ -132,9 +134,8 @@ impl QueuedLoss {
         renderer.predictor().observe(self.kind, self.size, needed);
         let rows = bytemuck::cast_slice::<u32, f32>(rows);
         let tiles = rows.chunks_exact(rows.len() / self.places.len()).map(TileLoss::of_rows);
-        let mut tiles: Vec<_> = self.places.into_iter().zip(tiles).collect();
-        tiles.sort_by_key(|(place, _)| *place);
-        let tiles: Vec<_> = tiles.into_iter().map(|(_, tile)| tile).collect();
+        let tiles: BTreeMap<_, _> = self.places.into_iter().zip(tiles).collect();
+        let tiles: Vec<_> = tiles.into_values().collect();
         let loss = TileLoss::total(&tiles).value(self.ssim_weight);
         Some(BatchLoss { loss, tiles, exposures: Vec::new() })
     }

@@ -45,6 +45,23 @@ fn too_little_memory_is_an_error_that_says_how_much() {
     }
 }
 
+/// What a GPU keeps between passes follows its memory, and a software device keeps little.
+#[test]
+fn a_share_of_memory_is_a_cards_own() {
+    let share = |device: &organza::Device, shares| device.memory_share(shares, 5);
+    for (backend, device) in devices::all() {
+        let is_card = backend != "cpu" && !device.is_cpu_like();
+        assert_eq!(share(&device, 4) == 5, !is_card, "{backend}");
+    }
+    if devices::has_gpu() {
+        let options = DeviceOptions::gpu(SpirvPath::Passthrough).like_a_card(true);
+        let card = organza::open_device(&options).expect("a GPU");
+        let all = share(&card, 1);
+        assert!(all >= 1 << 28, "{all} bytes");
+        assert_eq!((share(&card, 4), share(&card, all)), (all / 4, 5));
+    }
+}
+
 #[test]
 fn an_adapter_that_is_not_there_is_named() {
     let options = DeviceOptions::gpu(SpirvPath::Naga).adapter("no such adapter".to_owned());

@@ -9,8 +9,10 @@ use organza_data::{Frame, Photograph};
 use organza_render::Photographs;
 use organza_shaders::target::{TargetParams, TargetTile, TargetTilesKernel};
 
-/// The most bytes of photographs that stay on a GPU. Tiles of other photographs are uploaded in each step.
+/// The most bytes of photographs that stay on a GPU, at least, and the share of its memory. Tiles of other photographs are uploaded in
+/// each step.
 const RESIDENT_BYTES: u64 = 1 << 30;
+const RESIDENT_SHARES: u64 = 4;
 /// Bytes of a page.
 const PAGE_BYTES: usize = 64 << 20;
 
@@ -42,6 +44,7 @@ impl ResidentPhotographs {
         let level: Vec<_> = (0..=u8::MAX).map(|level| f32::from(level) / 255.0).collect();
         let level = device.upload("levels of colors", &level)?;
         let mut all = Self { level, pages: Vec::new(), places: Vec::new() };
+        let max_bytes = device.memory_share(RESIDENT_SHARES, RESIDENT_BYTES);
         let mut bytes = 0;
         while all.places.len() < frames.len() {
             let mut words = Vec::new();
@@ -55,7 +58,7 @@ impl ResidentPhotographs {
                 words.extend((0..count).map(|index| word(&frame.image, index)));
             }
             bytes += (words.len() * size_of::<u32>()) as u64;
-            if bytes > RESIDENT_BYTES {
+            if bytes > max_bytes {
                 break;
             }
             match device.upload("photographs", &words).map_err(Error::from) {

@@ -136,6 +136,18 @@ impl Device {
         }
     }
 
+    /// A share of a GPU's own memory, in bytes: one of `shares` equal ones, but at least `min`. It is `min` on the CPU, on a software device,
+    /// and where the driver does not tell its memory.
+    #[must_use]
+    pub fn memory_share(&self, shares: u64, min: u64) -> u64 {
+        match &self.kind {
+            DeviceKind::Gpu(gpu) => {
+                gpu.memory_bytes().map_or(min, |bytes| (bytes / shares).max(min))
+            }
+            DeviceKind::Cpu(_) | DeviceKind::Planner(_) => min,
+        }
+    }
+
     /// Runs a kernel over `workgroups`; on a GPU it is queued. No size may exceed 65,535.
     ///
     /// # Errors

@@ -43,6 +43,7 @@ methods! {
     entry_point(&KernelInfo) -> EntryPoint;
     is_software() -> bool;
     max_buffer_bytes() -> u64;
+    memory_bytes() -> Option<u64>;
     allocate(&'static str, u64, bool) -> Result<GpuBuffer>;
     write(&GpuBuffer, &[u8]) -> ();
     read(&[(&RawBuffer, u64, usize)], impl FnMut(&[u8]) -> Result<()>) -> Result<()>;

@@ -29,9 +29,11 @@ use muslin_device::{Buffer, Count, Device};
 use organza_core::ranks::Ranks;
 use organza_core::{Camera, Error, Result, TileBatch};
 
-/// The most pairs and samples of parts that are kept between both directions: about 2 GiB of tables. Other parts are
-/// rendered again.
-const KEPT_SAMPLES: u64 = 1 << 24;
+/// Bytes of parts that are kept between both directions, at least, and the share of a GPU's memory. Other parts are rendered again.
+const KEPT_BYTES: u64 = 2 << 30;
+const KEPT_SHARES: u64 = 4;
+/// The bytes of tables that a pair or a sample takes, about.
+const SAMPLE_BYTES: u64 = 128;
 
 /// What all parts of a batch share.
 #[derive(Clone, Copy)]
@@ -135,6 +137,11 @@ impl<'a> Pass<'a> {
         self.renderer.device()
     }
 
+    /// The most pairs and samples of parts that are kept.
+    fn kept_samples(&self) -> u64 {
+        self.device().memory_share(KEPT_SHARES, KEPT_BYTES) / SAMPLE_BYTES
+    }
+
     /// Cuts this rank's tiles of a batch into parts that fit the device.
     pub fn cut(&self, batch: &TileBatch) -> Result<Parts> {
         batch.validate(self.cameras)?;
@@ -157,7 +164,7 @@ impl<'a> Pass<'a> {
         output: &mut Output<'_>,
         progress: &mut dyn FnMut(usize),
     ) -> Result<()> {
-        parts.room = if keep { KEPT_SAMPLES } else { 0 };
+        parts.room = if keep { self.kept_samples() } else { 0 };
         parts.stays = keep;
         let mut done = 0;
         let mut index = 0;
@@ -259,7 +266,7 @@ impl<'a> Pass<'a> {
         into: &SceneGradient,
     ) -> Result<()> {
         if !parts.stays {
-            parts.room = KEPT_SAMPLES;
+            parts.room = self.kept_samples();
         }
         loop {
             let splats = self.backward_to_splats(parts, loss, into);

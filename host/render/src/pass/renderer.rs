@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use super::capacity::CapacityPredictor;
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::options::UploadOptions;
-use crate::stages::cut::PART_BYTES;
+use crate::stages::cut::{PART_BYTES, PART_SHARES};
 use muslin_device::Device;
 use organza_core::Result;
 use organza_core::scene::Scene;
@@ -47,15 +47,16 @@ impl Renderer {
     /// A renderer on `device`.
     #[must_use]
     pub fn new(device: Device) -> Self {
+        let part_bytes = device.memory_share(PART_SHARES, PART_BYTES);
         Self {
             device: Arc::new(device),
-            part_bytes: Arc::new(PART_BYTES.into()),
+            part_bytes: Arc::new(part_bytes.into()),
             predictor: Arc::default(),
         }
     }
 
-    /// The same renderer, whose batches are cut into parts with tables of about this many bytes; 512 MiB unless set. Where
-    /// a part does not fit into the device's memory, later ones are smaller.
+    /// The same renderer, whose batches are cut into parts with tables of about this many bytes. Unless set, it is 512 MiB, or a
+    /// sixteenth of a GPU's memory if that is more. Where a part does not fit into the device's memory, later ones are smaller.
     ///
     /// A part holds at least one tile, so that it may take more; what a part takes beside its tables grows with the
     /// pairs and samples of its tiles.

@@ -8,8 +8,10 @@ use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Error, Result};
 use organza_core::tile::{Tile, TileBatch};
 
-/// Default memory of one part's tables, in bytes. Parts of this size keep every device busy.
+/// Default memory of one part's tables, in bytes, where a device has little. Parts of this size keep a CPU busy.
 pub const PART_BYTES: u64 = 512 << 20;
+/// The share of a GPU's memory for these tables: what a part has beside them takes about eight times as much.
+pub const PART_SHARES: u64 = 16;
 
 /// One part of a batch: tiles ordered by camera.
 #[derive(Clone, Debug)]

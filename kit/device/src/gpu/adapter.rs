@@ -168,6 +168,26 @@ pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Devic
     })
 }
 
+/// The bytes of a device's largest heap of its own memory. Only Vulkan tells them.
+#[cfg(any(windows, target_os = "linux"))]
+pub fn memory_bytes(device: &wgpu::Device) -> Option<u64> {
+    // SAFETY: the device is only asked, and nothing of it is kept
+    let device = unsafe { device.as_hal::<wgpu::hal::api::Vulkan>() }?;
+    let instance = device.shared_instance().raw_instance();
+    // SAFETY: the physical device belongs to this instance
+    let memory =
+        unsafe { instance.get_physical_device_memory_properties(device.raw_physical_device()) };
+    let heaps = memory.memory_heaps_as_slice().iter();
+    let own = heaps.filter(|heap| heap.flags.contains(ash::vk::MemoryHeapFlags::DEVICE_LOCAL));
+    own.map(|heap| heap.size).max()
+}
+
+/// Unknown: wgpu has no Vulkan here.
+#[cfg(not(any(windows, target_os = "linux")))]
+pub fn memory_bytes(_: &wgpu::Device) -> Option<u64> {
+    None
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -151,6 +151,11 @@ impl Gpu {
         self.limits.max_buffer_size.min(self.limits.max_storage_buffer_binding_size)
     }
 
+    /// The bytes of its largest heap of memory that no other device has; `None` if it is a software device, or not Vulkan's.
+    pub fn memory_bytes(&self) -> Option<u64> {
+        if self.is_software { None } else { adapter::memory_bytes(&self.device) }
+    }
+
     /// Memory for a buffer. Without `zeros` it can contain anything.
     pub fn allocate(&self, label: &'static str, bytes: u64, zeros: bool) -> Result<GpuMemory> {
         self.check()?;

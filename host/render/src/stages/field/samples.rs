@@ -26,8 +26,10 @@ const GPU_CHUNKS: [u32; 2] = [BLOCK, 1 << 20];
 const MAX_ROWS: u32 = if MAX_INPUTS > MAX_HIDDEN_WIDTH { MAX_INPUTS } else { MAX_HIDDEN_WIDTH };
 /// Samples of a slice on a GPU: a chunk has enough of them to fill it.
 const GPU_SLICE: u32 = 1 << 8;
-/// Bytes for a field's blocks that are kept for the backward pass. The backward pass computes all other blocks again.
+/// Bytes for a field's blocks that are kept for the backward pass, at least, and the share of a GPU's memory. The backward pass
+/// computes all other blocks again.
 const KEPT_BYTES: u64 = 256 << 20;
+const KEPT_SHARES: u64 = 8;
 /// Rows of a point: its position, and one more for the stage.
 pub const ROWS_OF_POINT: u32 = POINT_ROWS + 1;
 
@@ -121,8 +123,8 @@ pub struct Chunks<'a> {
 }
 
 impl Blocks {
-    /// Memory for `count` samples with `rows` rows of network input. With `keep`, as many blocks as fit into [`KEPT_BYTES`]
-    /// have memory of their own.
+    /// Memory for `count` samples with `rows` rows of network input. With `keep`, as many blocks as fit into [`KEPT_BYTES`],
+    /// or a GPU's share, have memory of their own.
     ///
     /// Chunks must end at each of the `ends`, which ascend to the number of samples. If it is empty, chunks may end anywhere.
     pub fn new(
@@ -147,7 +149,8 @@ impl Blocks {
         first.push(samples);
         let len = |rows| layout.begin(layout.chunks, rows);
         let bytes = ((len(ROWS_OF_POINT) + len(rows)) * size_of::<f32>()) as u64;
-        let kept = if keep { all.min((KEPT_BYTES / bytes.max(1)) as usize) } else { 1 };
+        let room = device.memory_share(KEPT_SHARES, KEPT_BYTES) / bytes.max(1);
+        let kept = if keep { all.min(room as usize) } else { 1 };
         let mut blocks = Vec::new();
         for _ in 0..kept.max(1) {
             let point = device.unwritten("points", len(ROWS_OF_POINT))?;

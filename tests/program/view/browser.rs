@@ -172,6 +172,8 @@ fn a_scene_in_a_browser() {
     );
     page.wait(REST);
     assert_eq!(page.eval(FAR), true);
+    // three times as far from the scene's center is 5.7 times as far as 20 degrees
+    assert_eq!(page.eval("document.getElementById('image').style.opacity"), "0.333333");
     page.screenshot("viewer-far");
     page.key("n");
     page.wait(&format!("organza.view.index === {index}"));

@@ -238,6 +238,9 @@ fn assert_knows_cameras(page: &mut Page, cameras: &[Camera]) {
     );
     page.wait(AT_REST);
     page.wait(is_far);
+    // about twice as far from the center is 1 / 0.35 times as far as 20 degrees, where (4 - 1 / 0.35) / 3 = 0.38 is left
+    let opacity = page.eval("+document.getElementById('view').style.opacity").as_f64().unwrap();
+    assert!((opacity - 0.38).abs() < 0.01, "{opacity}");
     assert_eq!(page.eval("document.getElementById('status').hidden"), json!(false));
     page.letter("keyDown", 'n');
     assert_eq!(at(page), Some(home));

@@ -95,9 +95,14 @@ export function nearestOf({ camera_to_world: pose }, poses, extent) {
   return poses.reduce((best, other, at) => (away(other) < away(poses[best]) ? at : best), 0);
 }
 
-// Whether a camera is far from all poses: more than 20 degrees around the scene's center, as much nearer or farther, or turned by 40.
-export function isFar({ camera_to_world: pose }, poses, center) {
-  const isNear = (other) =>
-    length(sub(eyeOf(other), eyeOf(pose))) < 0.35 * length(sub(center, eyeOf(other))) && length(sub(forwardOf(other), forwardOf(pose))) < 0.7;
-  return poses.length > 0 && !poses.some(isNear);
+// How far a camera is from the nearest pose: 1 is 20 degrees around the scene's center, as much nearer or farther, or turned by 40.
+export function farness({ camera_to_world: pose }, poses, center) {
+  const from = (other) =>
+    Math.max(length(sub(eyeOf(other), eyeOf(pose))) / (0.35 * length(sub(center, eyeOf(other)))), length(sub(forwardOf(other), forwardOf(pose))) / 0.7);
+  return poses.length ? Math.min(...poses.map(from)) : 0;
 }
+
+// What is seen of a picture, before the background: all of it up to 1, and a third from 3 on, where nothing holds the scene together.
+export const opacityAt = (far) => Math.min(1, Math.max(1 / 3, (4 - far) / 3));
+
+export const hex = (color) => `#${color.map((value) => Math.round(value * 255).toString(16).padStart(2, "0")).join("")}`;

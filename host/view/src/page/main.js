@@ -1,6 +1,6 @@
 // The page: what is looked at, and what the panel says.
 
-import { add, angleOf, eyeOf, forwardOf, isFar, length, nearestOf, scale, sub, unproject, withAngle, withSize } from "./camera.js";
+import { add, angleOf, eyeOf, farness, forwardOf, hex, length, nearestOf, opacityAt, scale, sub, unproject, withAngle, withSize } from "./camera.js";
 import { Controls } from "./controls.js";
 import { Edit } from "./edit.js";
 import { Explain } from "./explain.js";
@@ -134,7 +134,10 @@ function say() {
   const name = training?.state?.ended ? "ended" : about.quality === "moving" ? "moving" : !frames.refines ? "live" : isBusy || about.quality === "still" ? "refining" : "exact";
   $("quality").textContent = name;
   $("quality").dataset.is = $("quality").textContent;
-  $("far").hidden = !isFar(view.camera, poses, scene.center);
+  const far = farness(view.camera, poses, scene.center);
+  $("far").hidden = far <= 1;
+  $("frame").style.background = hex(view.background ?? scene.background);
+  $("image").style.opacity = view.mode === "color" ? opacityAt(far) : 1;
   // the page draws a small image larger than it is
   const larger = $("image").clientWidth / w;
   const facts = [`${w} × ${h}${larger > 1.5 ? `, enlarged ${larger.toFixed(1)} times` : ""}`, `${about.milliseconds.toFixed(0)} ms`];
@@ -288,7 +291,6 @@ function place() {
   overlay.fit();
 }
 
-const hex = (color) => `#${color.map((value) => Math.round(value * 255).toString(16).padStart(2, "0")).join("")}`;
 $("background").value = hex(scene.background);
 $("background").oninput = () => {
   view.background = [1, 3, 5].map((at) => parseInt($("background").value.slice(at, at + 2), 16) / 255);

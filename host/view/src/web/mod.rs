@@ -122,6 +122,7 @@ impl WebPage {
             "version": env!("CARGO_PKG_VERSION"),
             "gaussians": scene.gaussians.len(),
             "aabb": scene.config.aabb,
+            "background": scene.config.background,
             "up": orbit.up,
             "center": orbit.center,
             "home": home,

@@ -1,6 +1,6 @@
 // The page: what is looked at, and which image comes next.
 
-import { add, cross, eyeOf, forwardOf, isFar, length, nearestOf, poseOf, scale, sub, withSize } from "./camera.js";
+import { add, cross, eyeOf, farness, forwardOf, hex, length, nearestOf, opacityAt, poseOf, scale, sub, withSize } from "./camera.js";
 import { Controls } from "./controls.js";
 import { Pace } from "./pace.js";
 import { Frame, Player, tilesOf, unpack } from "./player.js";
@@ -44,6 +44,7 @@ class Viewer {
   constructor(device, player, header) {
     Object.assign(this, { device, player, header, errors: [] });
     this.screen = new Screen(device, $("view"));
+    $("stage").style.background = hex(header.background);
     this.pace = new Pace(header.plans);
     this.frames = []; // with memory, the one that was used last is last
     this.largest = Math.max(...header.plans.map((plan) => plan.tiles));
@@ -312,10 +313,12 @@ class Viewer {
     this.tellStatus();
   }
 
-  // Counters, if they are asked for, and whether the view is far from what photographs show.
+  // Counters, if they are asked for, and whether the view is far from what photographs show: it fades there.
   tellStatus() {
-    const isFarAway = isFar(this.camera, this.header.poses, this.header.center);
+    const far = farness(this.camera, this.header.poses, this.header.center);
+    const isFarAway = far > 1;
     $("far").hidden = !isFarAway;
+    $("view").style.opacity = opacityAt(far);
     if (!this.revealed) return;
     $("numbers").hidden = !this.counters;
     $("status").hidden = !this.counters && !isFarAway;

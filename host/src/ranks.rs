@@ -2,8 +2,6 @@
 
 #[cfg(feature = "mpi")]
 mod mpi;
-#[cfg(any(test, feature = "mpi"))]
-mod rounds;
 
 #[cfg(feature = "mpi")]
 pub use mpi::MpiRanks;

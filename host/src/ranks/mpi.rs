@@ -12,11 +12,13 @@ use mpi::traits::{Communicator, CommunicatorCollectives, Equivalence, Root};
 use mpi::{Count, Threading};
 
 use super::Ranks;
-use super::rounds::{part, receive};
-use crate::{Error, Result};
+use crate::Result;
+use crate::error::argument;
 
-/// Most bytes in one MPI call: MPI counts bytes in 31 bits.
+/// Most values in one MPI call that can be made several times: MPI counts in 31 bits.
 const AT_ONCE: usize = 1 << 28;
+/// Bytes of a word. Messages of any length are sent as words, so that 31 bits count 16 GiB.
+const WORD: usize = size_of::<u64>();
 
 /// A rank that is a process started by `mpirun`, `srun` or the like.
 pub struct MpiRanks {
@@ -45,15 +47,15 @@ impl MpiRanks {
     /// Starts MPI. A process can do so once. A process that MPI did not start is the only rank.
     ///
     /// # Errors
-    /// [`Error::Argument`] if MPI was started before, or if it does not support calls from alternating threads.
+    /// [`Error::Argument`](crate::Error::Argument) if MPI was started before, or if it does not support calls from
+    /// alternating threads.
     pub fn start() -> Result<Self> {
-        let refuse = |reason: &str| Err(Error::Argument { reason: reason.to_owned() });
         let Some((universe, threading)) = mpi::initialize_with_threading(Threading::Serialized)
         else {
-            return refuse("MPI was started before in this process");
+            return argument("MPI was started before in this process");
         };
         if threading < Threading::Serialized {
-            return refuse(
+            return argument(
                 "this MPI allows calls from one thread only; use one that was built with threads",
             );
         }
@@ -71,11 +73,6 @@ impl MpiRanks {
         self.sent.fetch_add(bytes as u64, Ordering::Relaxed);
     }
 
-    /// Most bytes per rank in one round.
-    fn max_bytes(&self) -> usize {
-        (AT_ONCE / self.size).max(1)
-    }
-
     fn reduce<T: Equivalence + Copy>(
         &self,
         values: &mut [T],
@@ -83,30 +80,47 @@ impl MpiRanks {
     ) {
         self.count(size_of_val(values));
         let calls = self.calls();
-        for values in values.chunks_mut(AT_ONCE / size_of::<T>()) {
+        for values in values.chunks_mut(AT_ONCE) {
             let mine = values.to_vec();
             calls.world.all_reduce_into(&mine[..], values, operation());
         }
     }
 }
 
-/// The same bytes at a valid address. An empty vector has the address 1, which Open MPI takes for `MPI_IN_PLACE`.
-fn addressed(bytes: &[u8]) -> &[u8] {
-    static NOTHING: [u8; 1] = [0];
-    if bytes.is_empty() { &NOTHING[..0] } else { bytes }
+/// Messages one after another, each filled up with zeros to whole words.
+fn words(messages: &[Vec<u8>]) -> Vec<u64> {
+    let padded = messages.iter().flat_map(|bytes| {
+        let mut bytes = bytes.clone();
+        bytes.resize(bytes.len().next_multiple_of(WORD), 0);
+        bytemuck::pod_collect_to_vec::<u8, u64>(&bytes)
+    });
+    padded.collect()
 }
 
-/// The number of bytes of each part, and its offset.
-fn layout(counts: &[usize]) -> (Vec<Count>, Vec<Count>) {
-    let counts: Vec<_> = counts.iter().map(|&count| count as Count).collect();
+/// The words of messages of these lengths in bytes: how many each has, and where it begins.
+fn layout(lengths: &[u64]) -> Result<(Vec<Count>, Vec<Count>)> {
+    let counts: Vec<_> = lengths.iter().map(|length| length.div_ceil(WORD as u64)).collect();
+    if counts.iter().sum::<u64>() > Count::MAX as u64 {
+        return argument("ranks cannot send one another more than 16 GiB at once");
+    }
+    let counts: Vec<_> = counts.into_iter().map(|count| count as Count).collect();
     let begin = |end: &mut Count, count: &Count| Some(std::mem::replace(end, *end + count));
     let begins = counts.iter().scan(0, begin).collect();
-    (counts, begins)
+    Ok((counts, begins))
 }
 
-/// A buffer for all parts that is never empty: see [`addressed`].
-fn room(counts: &[usize]) -> Vec<u8> {
-    vec![0; counts.iter().sum::<usize>().max(1)]
+/// Receives messages of these lengths in bytes, of which `call` gets all words at once.
+fn receive(
+    lengths: &[u64],
+    call: impl FnOnce(&mut PartitionMut<'_, [u64], &[Count], &[Count]>),
+) -> Result<Vec<Vec<u8>>> {
+    let (counts, begins) = layout(lengths)?;
+    let mut all = vec![0_u64; counts.iter().sum::<Count>() as usize];
+    call(&mut PartitionMut::new(&mut all[..], &counts[..], &begins[..]));
+    let message = |(begin, length): (&Count, &u64)| {
+        bytemuck::cast_slice(&all[*begin as usize..])[..*length as usize].to_vec()
+    };
+    Ok(begins.iter().zip(lengths).map(message).collect())
 }
 
 impl Ranks for MpiRanks {
@@ -135,46 +149,23 @@ impl Ranks for MpiRanks {
 
     fn gather(&self, mine: Vec<u8>) -> Result<Vec<Vec<u8>>> {
         self.count(mine.len());
-        let calls = self.calls();
-        let max_bytes = self.max_bytes();
+        let world = &self.calls().world;
         let mut lengths = vec![0_u64; self.size];
-        calls.world.all_gather_into(&(mine.len() as u64), &mut lengths[..]);
-        let lengths: Vec<_> = lengths.iter().map(|&length| length as usize).collect();
-        let longest = lengths.iter().copied().max().unwrap_or(0);
-        receive(&lengths, longest, max_bytes, |begin, counts| {
-            let mine = addressed(part(&mine, begin, max_bytes));
-            let mut all = room(counts);
-            let (counts, begins) = layout(counts);
-            let mut parts = PartitionMut::new(&mut all[..], &counts[..], &begins[..]);
-            calls.world.all_gather_varcount_into(mine, &mut parts);
-            Ok(all)
-        })
+        world.all_gather_into(&(mine.len() as u64), &mut lengths[..]);
+        let mine = words(&[mine]);
+        receive(&lengths, |all| world.all_gather_varcount_into(&mine[..], all))
     }
 
     fn exchange(&self, for_each: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>> {
         self.count(for_each.iter().map(Vec::len).sum());
-        let calls = self.calls();
-        let max_bytes = self.max_bytes();
+        let world = &self.calls().world;
         let sent: Vec<_> = for_each.iter().map(|bytes| bytes.len() as u64).collect();
         let mut lengths = vec![0_u64; self.size];
-        calls.world.all_to_all_into(&sent[..], &mut lengths[..]);
-        let mut longest = 0_u64;
-        let mine = lengths.iter().copied().max().unwrap_or(0);
-        calls.world.all_reduce_into(&mine, &mut longest, SystemOperation::max());
-        let lengths: Vec<_> = lengths.iter().map(|&length| length as usize).collect();
-        receive(&lengths, longest as usize, max_bytes, |begin, counts| {
-            let parts: Vec<_> =
-                for_each.iter().map(|bytes| part(bytes, begin, max_bytes)).collect();
-            let mine = parts.concat();
-            let (sent, sent_begins) =
-                layout(&parts.iter().map(|part| part.len()).collect::<Vec<_>>());
-            let mine = Partition::new(addressed(&mine), &sent[..], &sent_begins[..]);
-            let mut all = room(counts);
-            let (counts, begins) = layout(counts);
-            let mut others = PartitionMut::new(&mut all[..], &counts[..], &begins[..]);
-            calls.world.all_to_all_varcount_into(&mine, &mut others);
-            Ok(all)
-        })
+        world.all_to_all_into(&sent[..], &mut lengths[..]);
+        let (counts, begins) = layout(&sent)?;
+        let mine = words(&for_each);
+        let mine = Partition::new(&mine[..], &counts[..], &begins[..]);
+        receive(&lengths, |all| world.all_to_all_varcount_into(&mine, all))
     }
 
     fn broadcast(&self, mine: Vec<u8>) -> Result<Vec<u8>> {

@@ -12,10 +12,15 @@ use organza::{Error, Result};
 
 use super::summary::grouped;
 
-/// Prints notes for the user.
-#[derive(Clone, Copy, Debug)]
+/// Prints notes for the user: the options of every command.
+#[derive(Clone, Copy, Debug, clap::Args)]
 pub struct Console {
-    level: Level,
+    /// Print only warnings and errors
+    #[arg(short, long, global = true, display_order = 1000)]
+    quiet: bool,
+    /// Also print details: files, sizes, settings and times
+    #[arg(short, long, global = true, display_order = 1001, conflicts_with = "quiet")]
+    verbose: bool,
 }
 
 /// A bar or a spinner. It disappears when it is dropped. If stderr is no terminal, a bar is a line from time to time.
@@ -99,13 +104,12 @@ impl Log {
 }
 
 impl Console {
-    pub fn new(level: Level) -> Self {
-        Self { level }
-    }
+    /// One that prints only warnings and errors.
+    pub const QUIET: Self = Self { quiet: true, verbose: false };
 
     /// Prints a note, only with `--verbose`.
     pub fn detail(self, text: &str) {
-        if self.level >= Level::Verbose {
+        if self.verbose {
             line("detail", text);
         }
     }
@@ -117,7 +121,7 @@ impl Console {
 
     /// Prints a note, unless `--quiet` is given.
     pub fn note(self, text: &str) {
-        if self.level >= Level::Normal {
+        if !self.quiet {
             write(&format!("{}\n", plain(text)));
         }
     }
@@ -137,7 +141,7 @@ impl Console {
         let template = format!("{{msg}} [{{wide_bar}}] {{pos}}/{{len}} {unit}{{left}}");
         let mut progress = self.show(ProgressBar::new(steps as u64), &template);
         progress.say(what);
-        if self.level >= Level::Normal && !self.has_terminal() {
+        if !self.quiet && !self.has_terminal() {
             let unit = unit.to_owned();
             progress.log = Some(Log { unit, last: Mutex::default() });
         }
@@ -157,7 +161,7 @@ impl Console {
     }
 
     fn show(self, bar: ProgressBar, template: &str) -> Progress {
-        if self.level < Level::Normal {
+        if self.quiet {
             return self.hidden();
         }
         let pace: Arc<Mutex<Pace>> = Arc::default();
@@ -332,38 +336,6 @@ pub fn print_json(value: &impl serde::Serialize) -> Result<()> {
         }
     }
     write_out(&(escaped + "\n"))
-}
-
-/// Options of every command.
-#[derive(Clone, Copy, Debug, clap::Args)]
-pub struct Verbosity {
-    /// Print only warnings and errors
-    #[arg(short, long, global = true, display_order = 1000)]
-    quiet: bool,
-    /// Also print details: files, sizes, settings and times
-    #[arg(short, long, global = true, display_order = 1001, conflicts_with = "quiet")]
-    verbose: bool,
-}
-
-/// The amount of output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
-    /// Only warnings and errors.
-    Quiet,
-    /// Also what a command does and has done.
-    Normal,
-    /// Also details.
-    Verbose,
-}
-
-impl Verbosity {
-    pub fn level(self) -> Level {
-        match (self.quiet, self.verbose) {
-            (true, _) => Level::Quiet,
-            (_, true) => Level::Verbose,
-            _ => Level::Normal,
-        }
-    }
 }
 
 #[cfg(test)]

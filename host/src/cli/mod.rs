@@ -40,10 +40,11 @@ use std::sync::Mutex;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
+use organza::Result;
 use organza::camera::MAX_IMAGE_SIDE;
-use organza::{Result, error};
+use organza::error::{self, refuse};
 
-use console::{Console, Verbosity};
+use console::Console;
 
 /// The exit code of every failure; clap uses the same.
 const FAILURE: u8 = 2;
@@ -65,7 +66,7 @@ Exit code: 0, or 2 after an error, with a message on stderr. `parity` exits with
 #[command(version, after_help = EXAMPLES, max_term_width = 100)]
 struct Cli {
     #[command(flatten)]
-    verbosity: Verbosity,
+    console: Console,
     #[command(subcommand)]
     command: Command,
 }
@@ -97,11 +98,10 @@ enum Command {
 /// Runs the program, and returns its exit code.
 pub fn main() -> ExitCode {
     remember_panics();
-    let Cli { verbosity, command } = match Cli::try_parse() {
+    let Cli { console, command } = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => return usage(error),
     };
-    let console = Console::new(verbosity.level());
     let run = || match &command {
         Command::Capture(args) => capture::run(args, console).map(done),
         Command::Train(args) => train::run(args, console).map(done),
@@ -221,11 +221,6 @@ fn number_in(
         Some([number]) if range.contains(&number) => Ok(number),
         _ => Err(format!("expected {expected}")),
     }
-}
-
-/// An error about an argument.
-fn refuse<T>(reason: impl Into<String>) -> Result<T> {
-    Err(organza::Error::Invalid { origin: PathBuf::new(), reason: reason.into() })
 }
 
 /// A path in JSON, as messages show it: text holds no other bytes than UTF-8.

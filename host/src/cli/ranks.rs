@@ -9,7 +9,7 @@ use organza::scene::Placement;
 use organza::train::{self, StepHooks, TrainConfig};
 use organza::{Dataset, DeviceOptions, Error, Renderer, Result, error};
 
-use super::console::{Console, Level};
+use super::console::Console;
 use super::device::DeviceArgs;
 use super::inputs::DataSet;
 use super::signals::Signals;
@@ -120,7 +120,7 @@ impl RankGroup {
             let config = TrainConfig::parse(&text, "the settings of rank 0".as_ref())?;
             let placement: Option<Placement> =
                 serde_json::from_slice(&ranks.broadcast(Vec::new())?).expect("rank 0 wrote it");
-            let console = Console::new(Level::Quiet);
+            let console = Console::QUIET;
             let data = DataSet::open(config.data, placement, console)?;
             let options = self.places().device(device.options()?, ranks.rank());
             let renderer = device.open_as(&options, console)?;
@@ -167,7 +167,7 @@ pub fn follow_thread(
     }
 }
 
-/// The number of this process among those on its machine.
+/// The number of this process among the processes on its machine.
 fn local_rank() -> Option<usize> {
     // Open MPI, Slurm, MPICH, Intel MPI
     variable(&["OMPI_COMM_WORLD_LOCAL_RANK", "SLURM_LOCALID", "MPI_LOCALRANKID", "PMI_LOCAL_RANK"])

@@ -14,7 +14,7 @@ use organza::{Camera, DatasetOptions, Error, Result, Scene, TileBatch};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
-use super::inputs::{FileKind, Format, SceneSource, format};
+use super::inputs::{FileKind, SceneSource};
 use crate::cli::summary::{Table, count, number};
 use crate::cli::text_of;
 
@@ -51,8 +51,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.file)?;
     let path = source.file();
     console.detail(&format!("reading {}", path.display()));
-    match format(path)? {
-        Format::Safetensors => match Scene::load(path) {
+    match FileKind::by_content(path)? {
+        FileKind::Cameras => show(args, &CameraFile::new(path, &Camera::load_all(path)?)),
+        FileKind::Tiles => show(args, &TileFile::new(path, &TileBatch::load(path)?)),
+        _ => match Scene::load(path) {
             Ok(scene) => show(args, &scene::SceneInfo::new(path, &scene)?),
             // No program has named the file's content: it has just tensors.
             Err(Error::WrongFormat { found, .. }) if found == "missing" => {
@@ -60,8 +62,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             }
             Err(error) => Err(error),
         },
-        Format::Cameras => show(args, &CameraFile::new(path, &Camera::load_all(path)?)),
-        Format::Tiles => show(args, &TileFile::new(path, &TileBatch::load(path)?)),
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use clap::ValueEnum;
 use organza::data::{Background, Dataset, DatasetOptions, Point, Pose, Poses};
+use organza::error::invalid;
 use organza::scene::Placement;
 use organza::train::config::DataConfig;
 use organza::train::{Binding, CONFIG, Checkpoint, built_in};
@@ -12,7 +13,7 @@ use organza::view::{PhotographSource, Photographs};
 use organza::{Camera, Error, Renderer, Result};
 
 use super::SceneSource;
-use super::kind::{Expected, told_apart};
+use super::kind::{FileKind, told_apart};
 use crate::cli::console::Console;
 use crate::cli::summary::count;
 
@@ -94,7 +95,7 @@ impl DataArgs {
                  set: `{usage}`"
             );
             let error = Error::Invalid { origin: scene.named().to_owned(), reason };
-            return Err(told_apart(error, scene.named(), Expected::Scene));
+            return Err(told_apart(error, scene.named(), FileKind::Scene));
         }
         let mut data = run.map(|config| config.data).unwrap_or_default();
         match named {
@@ -133,7 +134,7 @@ impl Split {
                  some out with `--hold-out-every`"
             }
         };
-        Err(Error::Invalid { origin: origin.to_owned(), reason: reason.to_owned() })
+        invalid(origin, reason.to_owned())
     }
 }
 
@@ -148,7 +149,7 @@ impl DataSet {
         let options = DatasetOptions { placement: placement.into(), ..settings.options() };
         let open = |path| Poses::load(path, &options);
         let poses = match &settings.path {
-            Some(path) => Some(open(path).map_err(|e| told_apart(e, path, Expected::DataSet))?),
+            Some(path) => Some(open(path).map_err(|e| told_apart(e, path, FileKind::DataSet))?),
             None => None,
         };
         let data = &settings;
@@ -234,11 +235,13 @@ impl DataSet {
         let found = learned.len();
         let trained = held_out.iter().filter(|is_held_out| !**is_held_out).count();
         if found != trained {
-            let reason = format!(
-                "it has the poses of {found} photographs, but the data set of the run has {trained} to train on: name the \
+            return invalid(
+                checkpoint,
+                format!(
+                    "it has the poses of {found} photographs, but the data set of the run has {trained} to train on: name the \
                  data set to use its own poses"
+                ),
             );
-            return Err(Error::Invalid { origin: checkpoint.to_owned(), reason });
         }
         let mut learned = learned.into_iter();
         let motions: Vec<_> = held_out
@@ -271,7 +274,7 @@ impl DataSet {
         Ok(())
     }
 
-    /// Shrinks the photographs of a new run so far that `pixels`, which it draws, are all of those to train on. Small ones keep
+    /// Shrinks the photographs of a new run so far that `pixels`, which it draws, are all of the pixels to train on. Small ones keep
     /// their size. Returns the factor, and says what it is.
     pub fn shrink(&mut self, pixels: f64, console: Console) -> Result<u32> {
         let own = self.settings.downscale;
@@ -392,11 +395,13 @@ impl DataSet {
 /// Fails if the data set of the run in a folder is not where the run's settings say.
 pub fn check_place(data: &DataConfig, folder: &Path) -> Result<()> {
     let Some(path) = data.path.as_ref().filter(|path| !path.exists()) else { return Ok(()) };
-    let reason = format!(
-        "the run's data set is no longer there; if it has moved, write its new place to `data.path` in {}",
-        folder.join(CONFIG).display()
-    );
-    Err(Error::Invalid { origin: path.clone(), reason })
+    invalid(
+        path,
+        format!(
+            "the run's data set is no longer there; if it has moved, write its new place to `data.path` in {}",
+            folder.join(CONFIG).display()
+        ),
+    )
 }
 
 /// The cameras of the built-in scene, from which its photographs were rendered.
@@ -404,7 +409,7 @@ fn built_in_cameras(data: &DataConfig) -> Vec<Pose> {
     built_in::cameras(data.built_in_views, data.built_in_side, data.hold_out_every)
 }
 
-/// Warns of files of a data set that do not exist, and of those outside its folder.
+/// Warns of a data set's files that do not exist, and of files outside its folder.
 fn warn_of_files(console: Console, poses: &Poses) {
     let kinds = [
         (&poses.missing, "photograph", "missing, so left out"),

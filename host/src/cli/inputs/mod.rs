@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 pub use data::{DataArgs, DataSet, Split, check_place};
-pub use kind::{Expected, FileKind, Format, format, told_apart};
+pub use kind::{FileKind, told_apart};
 
 use crate::cli::console::Console;
 use crate::cli::summary::count;
@@ -50,7 +50,7 @@ impl SceneSource {
             )
         };
         let error = Error::Invalid { origin: path.to_owned(), reason };
-        Err(told_apart(error, path, Expected::Scene))
+        Err(told_apart(error, path, FileKind::Scene))
     }
 
     /// A file or folder of another program, with the coordinates of the world.
@@ -73,7 +73,7 @@ impl SceneSource {
         let start = Instant::now();
         let scene = console
             .during("reading the scene", || Scene::load(&self.file))
-            .map_err(|error| told_apart(error, &self.file, Expected::Scene))?;
+            .map_err(|error| told_apart(error, &self.file, FileKind::Scene))?;
         console.detail(&format!(
             "scene {}: {}, read in {:.2} s",
             self.file.display(),
@@ -132,7 +132,7 @@ impl Cameras {
 
     fn from_file(scene: &SceneSource, file: &Path) -> Result<Self> {
         let list = scene.placement().load_cameras(file);
-        let list = list.map_err(|error| told_apart(error, file, Expected::Cameras))?;
+        let list = list.map_err(|error| told_apart(error, file, FileKind::Cameras))?;
         let named = list.iter().flat_map(|camera| photographs(camera, file));
         let photographs = existing(named);
         Ok(Self { all: list.clone(), list, origin: file.to_owned(), photographs })

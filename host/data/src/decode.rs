@@ -9,12 +9,11 @@ use image::codecs::png::PngEncoder;
 use image::error::{ImageFormatHint, UnsupportedError, UnsupportedErrorKind};
 use image::metadata::Orientation;
 use image::{
-    ColorType, DynamicImage, ImageDecoder, ImageEncoder, ImageError, ImageFormat, ImageReader,
-    ImageResult, Limits,
+    ColorType, DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError,
+    ImageFormat, ImageReader, ImageResult, Limits,
 };
 
-use super::find::invalid;
-use organza_core::error::{DeviceError, Error, Result};
+use organza_core::error::{DeviceError, Error, Result, invalid, refuse};
 use organza_core::input::{open_regular, read_file};
 use organza_core::memory;
 
@@ -104,6 +103,19 @@ pub fn upright(path: &Path) -> Result<Option<Vec<u8>>> {
     let (bytes, _share) = read(path, None, size, &budget)?;
     decode(&bytes, size, path, PHOTOGRAPH)?;
     turned(&bytes).map_err(|error| broken(path, &error))
+}
+
+/// A JPEG file of `[width, height]` pixels: red, green and blue, row by row. `quality` is out of 100.
+///
+/// # Errors
+/// [`Error::Invalid`] if a side is 0, or too large for a JPEG.
+pub fn encode_jpeg([width, height]: [u32; 2], pixels: &[u8], quality: u8) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let encoder = JpegEncoder::new_with_quality(&mut bytes, quality);
+    match encoder.write_image(pixels, width, height, ExtendedColorType::Rgb8) {
+        Ok(()) => Ok(bytes),
+        Err(error) => refuse(format!("the image cannot be encoded: {error}")),
+    }
 }
 
 /// A photograph's file with turned pixels; `None` if it is upright.

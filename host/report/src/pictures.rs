@@ -8,17 +8,17 @@ use std::fs;
 use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 
-use ::image::codecs::jpeg::JpegEncoder;
 use ::image::imageops::{self, FilterType};
-use ::image::{ExtendedColorType, GrayImage, ImageBuffer, ImageFormat, ImageReader, RgbImage};
+use ::image::{GrayImage, ImageBuffer, ImageFormat, ImageReader, RgbImage};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::MAX_VIEWS;
+use organza_core::error::argument;
 use organza_core::input::read_file;
 use organza_core::metrics::error_levels;
 use organza_core::{Error, Image, Result, remove_leftovers, write_inside};
-use organza_data::Photograph;
+use organza_data::{Photograph, encode_jpeg};
 use organza_train::PICTURES;
 
 /// JPEG quality, out of 100.
@@ -174,8 +174,7 @@ fn step_of(name: &str) -> Option<u64> {
 fn encode_view(truth: &Photograph, image: &Image) -> Result<[Vec<u8>; 3]> {
     let [width, height] = image.size();
     if [truth.width(), truth.height()] != [width, height] {
-        let reason = "a rendered image is not of its photograph's size".to_owned();
-        return Err(Error::Argument { reason });
+        return argument("a rendered image is not of its photograph's size");
     }
     let error = error_levels(truth.pixels(), image.pixels(), truth.valid());
     let photograph = truth.pixels().as_flattened().to_vec();
@@ -231,12 +230,7 @@ where
 }
 
 fn encode(image: &RgbImage) -> Result<Vec<u8>> {
-    let (width, height) = image.dimensions();
-    let mut bytes = Vec::new();
-    JpegEncoder::new_with_quality(&mut bytes, QUALITY)
-        .encode(image, width, height, ExtendedColorType::Rgb8)
-        .map_err(|error| Error::write(Path::new("a picture"), io::Error::other(error)))?;
-    Ok(bytes)
+    encode_jpeg(image.dimensions().into(), image.as_raw(), QUALITY)
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use super::console::{Console, print, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::summary::{Table, count, grouped};
-use super::tiles::{load_batch, with_origin};
+use super::tiles::load_batch;
 use super::{image_size, refuse};
 
 const EXAMPLES: &str = "\
@@ -99,7 +99,7 @@ impl Args {
         };
         let batch = load_batch(tiles)?;
         let cameras = Cameras::load(&source, Some(cameras), &self.data, usage, console)?.list;
-        batch.validate(&cameras).map_err(|error| with_origin(error, tiles))?;
+        batch.validate(&cameras).map_err(|error| error.in_file(tiles))?;
         Ok(Workload { scene: Box::new(move || source.load(console)), cameras, batch })
     }
 

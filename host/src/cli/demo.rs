@@ -3,8 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use image::ExtendedColorType;
-use image::codecs::jpeg::JpegEncoder;
+use organza::data::encode_jpeg;
 use organza::still_life;
 use organza::{Camera, Error, Image, Renderer, Result, Scene, Tile, TileBatch, demo};
 use organza_core::write_atomic;
@@ -140,7 +139,7 @@ fn render(
         let progress = console.progress("rendering", pictures.tiles(&views), "tiles");
         for view in views {
             progress.say(&format!("rendering {}", names[view]));
-            let image = pictures.render(view, &mut summary, &progress)?;
+            let (image, _) = pictures.render_channels(view, &[], &mut summary, &progress)?;
             let file = folder.file(&format!("{}.png", names[view]))?;
             image.save_png(&file)?;
             images.push(Picture::new(view, &file, &cameras[view]));
@@ -261,7 +260,9 @@ fn write_photographs(args: &Args, console: Console) -> Result<()> {
         let progress = console.progress("ray tracing", cameras.len(), "photographs");
         for (index, camera) in cameras.iter_mut().enumerate() {
             let name = format!("{index:05}.jpg");
-            write_jpeg(&still_life::photograph(camera, index)?, &unfinished.join(&name))?;
+            let photograph = still_life::photograph(camera, index)?;
+            let bytes = encode_jpeg(size, photograph.pixels().as_flattened(), QUALITY)?;
+            write_atomic(unfinished.join(&name), |writer| writer.write_all(&bytes))?;
             pictures.push(Picture::new(index, &images.join(&name), camera));
             camera.file_path = Some(format!("{IMAGES}/{name}"));
             progress.advance(1);
@@ -284,13 +285,4 @@ fn write_photographs(args: &Args, console: Console) -> Result<()> {
         return print_json(&Taken { folder: text_of(&args.output), cameras, images: pictures });
     }
     Ok(())
-}
-
-fn write_jpeg(photograph: &Image, path: &Path) -> Result<()> {
-    let [width, height] = photograph.size();
-    let mut bytes = Vec::new();
-    JpegEncoder::new_with_quality(&mut bytes, QUALITY)
-        .encode(photograph.pixels().as_flattened(), width, height, ExtendedColorType::Rgb8)
-        .map_err(|error| Error::write(path, std::io::Error::other(error)))?;
-    write_atomic(path, |writer| writer.write_all(&bytes))
 }

@@ -28,7 +28,7 @@ impl SceneArgs {
     }
 
     pub fn options(&self) -> UploadOptions {
-        UploadOptions::default().half_grids(self.half_grids)
+        UploadOptions { half_grids: self.half_grids }
     }
 }
 

@@ -186,7 +186,7 @@ fn load_views(
         Split::Train => (fitted, Vec::new()),
         Split::HeldOut => (judges, Vec::new()),
     };
-    // no photograph is needed but those that the file is compared with
+    // only the photographs that the file is compared with are needed
     let data = data.only(Split::HeldOut)?;
     let data = has_held_out.then(|| data.read(renderer, console)).transpose()?;
     Ok((Views { fitted, judges }, data))

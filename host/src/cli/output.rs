@@ -16,9 +16,9 @@ use sha2::{Digest, Sha256};
 use super::inputs::FileKind;
 use super::refuse;
 
-/// Checks that a file can be written, and that it replaces nothing that the command reads: see [`refuse_inputs`].
+/// Checks that a file can be written, and that it replaces nothing that the command reads.
 pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
-    refuse_inputs(path, inputs)?;
+    refuse_replacing(path, inputs, replaced)?;
     organza_core::check_writable(path)
 }
 
@@ -45,21 +45,8 @@ pub fn refuse_run(folder: &Path) -> Result<()> {
     }
 }
 
-/// Fails if writing to a path would replace an input.
-///
-/// An input is a file, or the folder of a run or of a data set. All files of a run are inputs, and so is the data set
-/// that it was trained on. In a data set's folder, every file of a kind that data sets have is one.
-pub fn refuse_inputs(path: &Path, inputs: &[&Path]) -> Result<()> {
-    refuse_replacing(path, inputs, replaced)
-}
-
-/// Fails if writing to a path would replace one of these files.
-pub fn refuse_same(path: &Path, inputs: &[&Path]) -> Result<()> {
-    refuse_replacing(path, inputs, same)
-}
-
-/// Fails if `replaced` names what writing to a path would replace: it gets the existing file and each input.
-fn refuse_replacing(
+/// Fails if writing to a path would replace what `replaced` names of an input: it gets the existing file and the input.
+pub fn refuse_replacing(
     path: &Path,
     inputs: &[&Path],
     replaced: fn(&Path, &Path) -> Option<String>,
@@ -75,12 +62,15 @@ fn refuse_replacing(
 }
 
 /// The input in words, if it is the existing file.
-fn same(existing: &Path, input: &Path) -> Option<String> {
+pub fn same(existing: &Path, input: &Path) -> Option<String> {
     let is_same = fs::canonicalize(input).is_ok_and(|full| full == existing);
     is_same.then(|| format!("the input {}", input.display()))
 }
 
 /// The input that an existing file is or belongs to, in words.
+///
+/// An input is a file, or the folder of a run or of a data set. All files of a run are inputs, and so is the data set
+/// that it was trained on. In a data set's folder, every file of a kind that data sets have is one.
 fn replaced(existing: &Path, input: &Path) -> Option<String> {
     if let Some(input) = same(existing, input) {
         return Some(input);
@@ -94,14 +84,10 @@ fn replaced(existing: &Path, input: &Path) -> Option<String> {
         let data = train::settings_of(folder).ok()?.data.path?;
         return replaced(existing, &data);
     }
-    let is_of_data = full.is_dir() && existing.starts_with(folder) && is_of_data_sets(existing);
-    is_of_data.then(|| format!("a file of the data set {}", input.display()))
-}
-
-/// Whether data sets have files of this kind.
-fn is_of_data_sets(path: &Path) -> bool {
     const KINDS: [&str; 7] = ["json", "png", "jpg", "jpeg", "ply", "bin", "txt"];
-    has_extension(path, &KINDS)
+    let is_of_data =
+        full.is_dir() && existing.starts_with(folder) && has_extension(existing, &KINDS);
+    is_of_data.then(|| format!("a file of the data set {}", input.display()))
 }
 
 /// A folder for results. Newly created folders that stay empty are removed again.
@@ -114,22 +100,22 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// Creates the folder, and those above it, if it does not exist. Checks that it can be written to.
+    /// Creates the folder, and the folders above it, if it does not exist. Checks that it can be written to.
     pub fn make(path: &Path) -> Result<Self> {
         let missing =
             path.ancestors().take_while(|above| *above != Path::new("") && !above.exists());
         let folder =
             Self { path: path.to_owned(), made: missing.map(Path::to_owned).collect(), lock: None };
         if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
-            return Err(cannot_write(path, io::Error::other("it is a file, expected a folder")));
+            return Err(Error::write(path, io::Error::other("it is a file, expected a folder")));
         }
         fs::create_dir_all(path).map_err(|error| {
             let file = path.ancestors().find(|above| above.is_file());
             let reason = file.map(|file| format!("{} is a file, not a folder", file.display()));
             let outermost = folder.made.last().map_or(path, PathBuf::as_path);
-            cannot_write(outermost, reason.map_or(error, io::Error::other))
+            Error::write(outermost, reason.map_or(error, io::Error::other))
         })?;
-        try_writing(path, path)?;
+        organza_core::check_folder(path).map_err(|error| Error::write(path, error))?;
         Ok(folder)
     }
 
@@ -184,18 +170,6 @@ impl Drop for Folder {
             let _ = fs::remove_dir(path);
         }
     }
-}
-
-/// Creates a file in a folder and removes it. Errors name `path`.
-fn try_writing(folder: &Path, path: &Path) -> Result<()> {
-    match tempfile::Builder::new().prefix(".organza-").suffix(".tmp").tempfile_in(folder) {
-        Ok(_) => Ok(()),
-        Err(error) => Err(cannot_write(path, error)),
-    }
-}
-
-fn cannot_write(path: &Path, source: io::Error) -> Error {
-    Error::write(path, source)
 }
 
 /// The file that says what a folder's images were made of.

@@ -34,10 +34,6 @@ impl Pictures<'_> {
         views.iter().map(tiles).sum()
     }
 
-    pub fn render(&self, view: usize, summary: &mut Summary, progress: &Progress) -> Result<Image> {
-        self.render_channels(view, &[], summary, progress).map(|(picture, _)| picture)
-    }
-
     /// Renders a view, and channels besides its color.
     pub fn render_channels(
         &self,

@@ -30,7 +30,7 @@ pub struct TrainingProgress {
 }
 
 impl TrainingProgress {
-    /// For a training of `steps` steps, including those before a resume.
+    /// For a training of `steps` steps, including steps before a resume.
     pub fn new(console: Console, steps: u32, time_limit: Option<f64>) -> Self {
         // a log has lines of its own
         let bar = match console.has_terminal() {

@@ -88,30 +88,20 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// The work to do, as every rank determines it.
-struct RenderJob {
-    source: SceneSource,
-    cameras: Cameras,
-    views: Vec<usize>,
-}
-
-impl RenderJob {
-    fn find(args: &Args, console: Console) -> Result<Self> {
-        let source = SceneSource::find(&args.scene)?;
-        let usage = "organza render SCENE CAMERAS -o DIR";
-        let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
-        let views = match &args.views {
-            Some(chosen) => chosen.resolve(cameras.list.len(), &cameras.origin)?,
-            None => (0..cameras.list.len()).collect(),
-        };
-        let views = args.task.map_or(views.clone(), |task| task.select(views));
-        Ok(Self { source, cameras, views })
-    }
+/// The views to render.
+fn chosen(args: &Args, cameras: &Cameras) -> Result<Vec<usize>> {
+    let views = match &args.views {
+        Some(chosen) => chosen.resolve(cameras.list.len(), &cameras.origin)?,
+        None => (0..cameras.list.len()).collect(),
+    };
+    Ok(args.task.map_or(views.clone(), |task| task.select(views)))
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let job = RenderJob::find(args, console)?;
-    let RenderJob { source, cameras, views } = &job;
+    let source = &SceneSource::find(&args.scene)?;
+    let usage = "organza render SCENE CAMERAS -o DIR";
+    let cameras = &Cameras::load(source, args.cameras.as_deref(), &args.data, usage, console)?;
+    let views = &chosen(args, cameras)?;
     let list = &cameras.list[..];
     warn_distorted(console, list, views);
     let channels = args.channels.list();
@@ -256,7 +246,7 @@ fn files(
     let names = names(&cameras.list);
     let path = |view: usize, ending: &str| {
         let path = folder.file(&format!("{}.{ending}", names[view]))?;
-        output::refuse_same(&path, &[scene.file(), &cameras.origin])?;
+        output::refuse_replacing(&path, &[scene.file(), &cameras.origin], output::same)?;
         organza_core::check_writable(&path)?;
         if cameras.is_photograph(&path) {
             let path = path.display();

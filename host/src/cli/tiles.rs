@@ -3,14 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use muslin_device::memory;
-use organza::scene::{TensorRef, TensorSpec, read_tensors, write_tensors};
-use organza::{Camera, Error, RenderedTiles, Renderer, Result, TileBatch};
+use organza::error::invalid;
+use organza::scene::{TensorSpec, read_tensors, write_tensors};
+use organza::{Camera, RenderedTiles, Renderer, Result, TileBatch};
 use serde::Serialize;
 
 use super::channels::ChannelArgs;
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
-use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
+use super::inputs::{Cameras, DataArgs, FileKind, SceneSource, told_apart};
 use super::summary::{Cost, Summary, count, grouped};
 use super::views::warn_distorted;
 use super::{output, refuse, text_of};
@@ -65,52 +66,48 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// The work to do.
-struct TilesJob {
-    source: SceneSource,
-    batch: TileBatch,
-    cameras: Vec<Camera>,
-    grad_tiles: Option<Vec<f32>>,
-}
-
-impl TilesJob {
-    fn find(args: &Args, console: Console) -> Result<Self> {
-        let source = SceneSource::find(&args.scene)?;
-        let mut inputs = vec![source.named(), &args.tiles];
-        inputs.extend(args.cameras.as_deref());
-        inputs.extend(args.grad_tiles.as_deref());
-        for output in args.output.iter().chain(&args.grad) {
+impl Args {
+    /// Reads everything but the scene.
+    fn read(
+        &self,
+        source: &SceneSource,
+        console: Console,
+    ) -> Result<(TileBatch, Vec<Camera>, Option<Vec<f32>>)> {
+        let mut inputs = vec![source.named(), &self.tiles];
+        inputs.extend(self.cameras.as_deref());
+        inputs.extend(self.grad_tiles.as_deref());
+        for output in self.output.iter().chain(&self.grad) {
             output::check_file(output, &inputs)?;
         }
-        if args.output.is_some() && args.output == args.grad {
+        if self.output.is_some() && self.output == self.grad {
             return refuse("`--output` and `--grad` name the same file");
         }
-        let channels = args.channels.list();
-        if args.output.is_none() && !channels.is_empty() {
+        let channels = self.channels.list();
+        if self.output.is_none() && !channels.is_empty() {
             return refuse("`--channels` are written to the output; name one with `-o OUT`");
         }
         // The large file is read last: most mistakes are in the small ones.
-        let batch = load_batch(&args.tiles)?;
-        let named = args.cameras.as_deref();
+        let batch = load_batch(&self.tiles)?;
+        let named = self.cameras.as_deref();
         let usage = "organza tiles SCENE CAMERAS TILES";
-        let cameras = Cameras::load(&source, named, &args.data, usage, console)?.list;
-        batch.validate(&cameras).map_err(|error| with_origin(error, &args.tiles))?;
+        let cameras = Cameras::load(source, named, &self.data, usage, console)?.list;
+        batch.validate(&cameras).map_err(|error| error.in_file(&self.tiles))?;
         let mut views: Vec<_> = batch.tiles.iter().map(|tile| tile.camera).collect();
         views.sort_unstable();
         views.dedup();
         warn_distorted(console, &cameras, &views);
-        let grad_tiles = args.grad_tiles.as_deref().map(|path| read_grad_tiles(path, &batch));
+        let grad_tiles = self.grad_tiles.as_deref().map(|path| read_grad_tiles(path, &batch));
         let grad_tiles = grad_tiles.transpose()?;
         let planes = 3 + channels.iter().map(|c| c.planes()).sum::<usize>();
         let [tiles, _, side, _] = batch.output_shape().map(|n| n as u64);
         memory::check(4 * tiles * planes as u64 * side * side, "the output")?;
-        Ok(Self { source, batch, cameras, grad_tiles })
+        Ok((batch, cameras, grad_tiles))
     }
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let job = TilesJob::find(args, console)?;
-    let TilesJob { source, batch, cameras, grad_tiles } = &job;
+    let source = SceneSource::find(&args.scene)?;
+    let (batch, cameras, grad_tiles) = &args.read(&source, console)?;
     let output = args.output.as_deref();
     let channels = args.channels.list();
     let mut cost = None;
@@ -164,8 +161,7 @@ fn read_grad_tiles(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
     if values.iter().all(|value| value.is_finite()) {
         return Ok(values);
     }
-    let reason = "`grad_tiles` has values that are NaN or infinite".to_owned();
-    Err(Error::Invalid { origin: path.to_owned(), reason })
+    invalid(path, "`grad_tiles` has values that are NaN or infinite")
 }
 
 fn write_tiles(
@@ -187,30 +183,22 @@ fn write_tiles(
         console.warn(&format!("{found} of {all} are NaN or infinite; check the networks' weights"));
     }
 
-    let shape = |planes| {
+    let spec = |name: &str, planes| {
         let [tiles, _, rows, columns] = batch.output_shape();
-        [tiles, planes, rows, columns]
+        let shape = vec![tiles, planes, rows, columns];
+        TensorSpec { name: name.to_owned(), shape, why: "what was rendered" }
     };
-    let mut named = vec![("tiles", shape(3), &tiles.data)];
-    named.extend(tiles.channels.iter().map(|(c, values)| (c.name(), shape(c.planes()), values)));
-    let tensors: Vec<_> =
-        named.iter().map(|(name, shape, data)| TensorRef { name, shape, data }).collect();
+    let mut tensors = vec![(spec("tiles", 3), &tiles.data[..])];
+    let channels = tiles.channels.iter();
+    tensors.extend(channels.map(|(c, values)| (spec(c.name(), c.planes()), &values[..])));
     write_tensors(output, &tensors, &[])?;
-    let written: Vec<_> =
-        named.iter().map(|(name, shape, _)| format!("{name} {shape:?}")).collect();
+    let written = tensors.iter().map(|(spec, _)| format!("{} {:?}", spec.name, spec.shape));
+    let written: Vec<_> = written.collect();
     console.note(&format!("wrote {}: {}", output.display(), written.join(", ")));
     Ok(summary.cost(renderer, not_finite as u64))
 }
 
 /// Reads a file of tiles.
 pub fn load_batch(path: &Path) -> Result<TileBatch> {
-    TileBatch::load(path).map_err(|error| told_apart(error, path, Expected::Tiles))
-}
-
-/// Adds the file's name to an error about a tile that was found when comparing with the cameras.
-pub fn with_origin(error: Error, path: &Path) -> Error {
-    match error {
-        Error::Tile { tile, reason, .. } => Error::Tile { origin: path.to_owned(), tile, reason },
-        other => other,
-    }
+    TileBatch::load(path).map_err(|error| told_apart(error, path, FileKind::Tiles))
 }

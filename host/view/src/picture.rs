@@ -1,10 +1,9 @@
 //! Converts results to 8-bit colors.
 
-use ::image::ExtendedColorType;
-use ::image::codecs::jpeg::JpegEncoder;
 use colorous::{Color, Gradient};
 
 use super::message::Mode;
+use organza_core::error::refuse;
 use organza_core::image::{ChannelImage, Image};
 use organza_core::metrics::{ERROR_FACTOR, error_levels};
 use organza_core::{Camera, Channel, Result};
@@ -123,7 +122,7 @@ fn round_up(value: f64) -> f64 {
 /// The image of the difference from a photograph: the mean over the channels, from 0 to 1 / [`ERROR_FACTOR`].
 pub fn error_image(image: &Image, truth: &Photograph) -> Result<(Image, Option<Range>)> {
     if image.size() != [truth.width(), truth.height()] {
-        return super::message::refuse("the photograph has another size".to_owned());
+        return refuse("the photograph has another size");
     }
     let levels = error_levels(truth.pixels(), image.pixels(), truth.valid());
     let range = Range { low: 0.0, high: 1.0 / f64::from(ERROR_FACTOR) };
@@ -165,19 +164,7 @@ fn depths(scene: &DeviceScene, camera: &Camera) -> Range {
 
 /// The bytes of a JPEG file.
 pub fn encode_jpeg(image: &Image) -> Result<Vec<u8>> {
-    let [width, height] = image.size();
-    let mut bytes = Vec::new();
-    let pixels = image.pixels().as_flattened();
-    let encoded = JpegEncoder::new_with_quality(&mut bytes, QUALITY).encode(
-        pixels,
-        width,
-        height,
-        ExtendedColorType::Rgb8,
-    );
-    match encoded {
-        Ok(()) => Ok(bytes),
-        Err(error) => super::message::refuse(format!("the image cannot be encoded: {error}")),
-    }
+    organza_data::encode_jpeg(image.size(), image.pixels().as_flattened(), QUALITY)
 }
 
 #[cfg(test)]

@@ -267,9 +267,7 @@ impl Film<'_> {
         warn_not_finite(console, not_finite);
         Ok(Some(summary.cost(self.renderer, not_finite)))
     }
-}
 
-impl Film<'_> {
     fn frame(
         &self,
         frame: usize,

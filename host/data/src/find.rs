@@ -7,7 +7,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use organza_core::error::{Error, Result};
+use organza_core::Result;
 use organza_core::input::has_extension;
 
 /// Name of the folder of photographs. `masks`, `images_2` and so on are beside it.
@@ -159,54 +159,4 @@ fn mask_of(
     appended.push(".png");
     let candidates = [PathBuf::from(appended), beside.with_extension("png"), beside];
     candidates.into_iter().map(|path| folder.join(path)).find(|path| is_there(path))
-}
-
-/// The allowed places of a data set's files, and the files that were outside its folder.
-#[derive(Debug)]
-pub(super) struct Access {
-    /// Path of the folder, without links.
-    folder: PathBuf,
-    allow_outside: bool,
-    /// Files outside, as the data set names them.
-    pub outside: Vec<PathBuf>,
-}
-
-impl Access {
-    /// For a data set: a folder, or a file in it.
-    pub fn new(data: &Path, allow_outside: bool) -> Result<Self> {
-        let folder = match data.parent() {
-            _ if data.is_dir() => data,
-            Some(folder) if folder != Path::new("") => folder,
-            _ => Path::new("."),
-        };
-        let folder = fs::canonicalize(folder).map_err(|source| Error::read(folder, source))?;
-        Ok(Self { folder, allow_outside, outside: Vec::new() })
-    }
-
-    /// Checks a file of the data set before it is opened.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] if the file is outside, by its path or by a link on the way, and must not be.
-    pub fn check(&mut self, file: &Path) -> Result<()> {
-        // A file that does not exist is not read either.
-        let Ok(found) = fs::canonicalize(file) else { return Ok(()) };
-        if found.starts_with(&self.folder) {
-            return Ok(());
-        }
-        if !self.allow_outside {
-            let reason = format!(
-                "the data set names this file, but it is outside of {}; if you trust the data \
-                 set, read it with `--allow-outside`",
-                self.folder.display()
-            );
-            return invalid(file, reason);
-        }
-        self.outside.push(file.to_owned());
-        Ok(())
-    }
-}
-
-/// An error of a data set's file.
-pub(super) fn invalid<T>(origin: &Path, reason: String) -> Result<T> {
-    Err(Error::Invalid { origin: origin.to_owned(), reason })
 }

@@ -25,14 +25,12 @@ mod transforms;
 
 use std::collections::HashMap;
 use std::fs;
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 pub use colmap::SparseModel;
-pub use decode::{size as photograph_size, upright};
+pub use decode::{encode_jpeg, size as photograph_size, upright};
 use develop::Shot;
 pub use develop::mean;
-use find::{Access, PhotographFile, invalid};
 use fingerprint::Digest;
 pub use fingerprint::Fingerprint;
 pub use keep::Keep;
@@ -40,6 +38,7 @@ use lens::Lens;
 pub use options::{Alpha, Background, DatasetOptions};
 #[cfg(doc)]
 use organza_core::error::Error;
+use organza_core::error::invalid;
 use organza_core::input::has_extension;
 use organza_core::scene::Placement;
 use organza_core::{Camera, Result};
@@ -47,8 +46,6 @@ pub use photograph::{DatasetKind, Frame, Photograph, Point};
 pub use poses::{Pose, Poses, kind_of};
 pub use random::random;
 
-/// Focal lengths of lenses, as multiples of an image's longer side: 160 degrees to half a degree.
-const LIKELY_FOCALS: RangeInclusive<f64> = 0.08..=100.0;
 /// Places of points in one unit of a scene, which the cameras see from four units.
 const POINT_STEPS: f64 = 16384.0;
 
@@ -108,112 +105,6 @@ pub struct Dataset {
     pub placement: Placement,
     /// Each frame's pose as the files give it, in the world.
     pub poses: Vec<[[f64; 4]; 4]>,
-}
-
-/// A data set before its photographs are read.
-#[derive(Default)]
-struct Listing {
-    kind: DatasetKind,
-    shots: Vec<Shot>,
-    missing: Vec<PathBuf>,
-    points: Vec<Point>,
-    points_file: Option<PathBuf>,
-    prepared: usize,
-    notes: Vec<String>,
-}
-
-impl Listing {
-    /// Adds a photograph, or its pinhole views if its view is too wide for one plane. `camera` is the camera of the whole
-    /// photograph, and has its name.
-    fn add(
-        &mut self,
-        PhotographFile { path, prepared, mask }: PhotographFile,
-        camera: Camera,
-        lens: Lens,
-        held_out: bool,
-        options: &DatasetOptions,
-        access: &mut Access,
-    ) -> Result<()> {
-        if let Some(mask) = &mask {
-            access.check(mask)?;
-        }
-        let (camera, factor) = match prepared {
-            true => {
-                let size = decode::size(&path)?;
-                let smaller = develop::prepared(&camera, options.downscale, size);
-                (smaller.or_else(|reason| invalid(&path, reason))?, 1)
-            }
-            false => (camera, options.downscale),
-        };
-        self.prepared += usize::from(prepared);
-        let name = camera.file_path.clone().unwrap_or_default();
-        let pose = camera.camera_to_world;
-        let trained = None;
-        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out, trained };
-        self.shots.extend(panorama::views_of(shot));
-        Ok(())
-    }
-
-    /// A note if a camera sees much less than through any real lens, or nearly everything.
-    fn unlikely_lens(&self) -> Option<String> {
-        let focal = |shot: &Shot| {
-            let Camera { fl_x, width, height, .. } = shot.camera;
-            fl_x / f64::from(width.max(height))
-        };
-        let unlikely = |shot: &&Shot| !shot.lens.fisheye && !LIKELY_FOCALS.contains(&focal(shot));
-        let shot = self.shots.iter().find(unlikely)?;
-        Some(format!(
-            "the camera of {} has a focal length of {:.0} pixels, {} times the longer side of its image; are `fl_x` in \
-             pixels and `camera_angle_x` in radians?",
-            shot.path.display(),
-            shot.camera.fl_x,
-            significant(focal(shot))
-        ))
-    }
-
-    /// A note if there are masks, but none for any photograph.
-    fn unused_masks(&self, path: &Path) -> Option<String> {
-        let folder = if path.is_dir() { path } else { path.parent()? }.join(find::MASKS);
-        let first = self.shots.first()?;
-        let is_empty = fs::read_dir(&folder).ok()?.next().is_none();
-        if is_empty || self.shots.iter().any(|shot| shot.mask.is_some()) {
-            return None;
-        }
-        let name = first.path.file_name()?.to_string_lossy();
-        Some(format!(
-            "no file in {} is the mask of a photograph, so none is used; the mask of {} would be {name}.png, in the same \
-             folders as in `images`, or named by the data set",
-            folder.display(),
-            first.path.display()
-        ))
-    }
-
-    /// The fingerprint of the files, without the photographs' content.
-    fn fingerprint(&self) -> Fingerprint {
-        let shots = self.shots.iter();
-        let known = shots.map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
-        Fingerprint::new(known, &self.points)
-    }
-
-    /// The placement that the cameras suggest.
-    fn placement(&self) -> Placement {
-        let cameras: Vec<_> = self.shots.iter().map(|shot| shot.camera.clone()).collect();
-        let points: Vec<_> = self.points.iter().map(|point| point.position).collect();
-        Placement::of(&cameras, &points)
-    }
-
-    /// Turns cameras and points into the coordinates of a scene. From here on, all of organza computes in these.
-    fn place(&mut self, placement: &Placement) {
-        if placement.is_identity() {
-            return;
-        }
-        for shot in &mut self.shots {
-            shot.camera = placement.own_camera(&shot.camera);
-        }
-        for point in &mut self.points {
-            point.position = own_point(placement, point.position);
-        }
-    }
 }
 
 impl Dataset {
@@ -300,11 +191,6 @@ fn repeated(shots: &[Shot], digests: &[Digest]) -> Option<String> {
     Some(note)
 }
 
-/// A number with two digits.
-fn significant(number: f64) -> String {
-    if number < 10.0 { format!("{number:.2}") } else { format!("{number:.0}") }
-}
-
 /// A point of the world in the scene's coordinates. It is rounded to a step finer than any data set's precision, so that a run
 /// does not depend on the rounding in files.
 fn own_point(placement: &Placement, position: [f64; 3]) -> [f64; 3] {
@@ -339,7 +225,8 @@ impl Layout {
 }
 
 /// Recognizes the format of a data set, and lists its content.
-fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Listing> {
+fn list(poses: &mut Poses) -> Result<()> {
+    let path = &*poses.path.clone();
     if !path.is_dir() {
         if is_video(path) {
             let reason = format!(
@@ -350,15 +237,15 @@ fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Li
         }
         let is_blender = path.file_name().is_some_and(|name| name == transforms::BLENDER_TRAIN);
         return if is_blender {
-            transforms::blender(path, options, access)
+            transforms::blender(poses, path)
         } else {
-            transforms::nerfstudio(path, options, access)
+            transforms::nerfstudio(poses, path)
         };
     }
     match Layout::detect(path) {
-        Some(Layout::Nerfstudio(file)) => transforms::nerfstudio(&file, options, access),
-        Some(Layout::Blender(file)) => transforms::blender(&file, options, access),
-        Some(Layout::Colmap(model)) => colmap::list(path, &model, options, access),
+        Some(Layout::Nerfstudio(file)) => transforms::nerfstudio(poses, &file),
+        Some(Layout::Blender(file)) => transforms::blender(poses, &file),
+        Some(Layout::Colmap(model)) => colmap::list(poses, &model),
         None => {
             let hint = hint(path, None).unwrap_or_default();
             let folders = colmap::FOLDERS.iter().filter(|folder| !folder.is_empty());
@@ -452,19 +339,4 @@ fn bytes_of(shots: &[Shot]) -> u64 {
 fn pixels(shot: &Shot) -> u64 {
     let side = |side: u32| u64::from(side / shot.factor);
     side(shot.camera.width) * side(shot.camera.height)
-}
-
-impl DatasetOptions {
-    /// The background color of the photographs.
-    fn decide_background(&self, listing: &Listing) -> Result<[f32; 3]> {
-        let may_be_white = self.background == Background::Auto
-            && self.alpha == Alpha::Background
-            && listing.kind == DatasetKind::Blender;
-        for shot in listing.shots.iter().take_while(|_| may_be_white) {
-            if decode::has_alpha(&shot.path)? {
-                return Ok([1.0; 3]);
-            }
-        }
-        Ok(self.background.color())
-    }
 }

@@ -1,21 +1,29 @@
 //! A data set before its photographs are read: the photographs' paths, and their cameras.
 
 use std::fs;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use rayon::prelude::*;
 
-use super::decode::Budget;
+use super::decode::{self, Budget};
+use super::find::{self, PhotographFile};
+use super::lens::{Lens, Projection};
 use super::{
-    Access, Background, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout, Listing,
-    Point, Shot, bytes_of, folder_of, hint, invalid, list, repeated,
+    Alpha, Background, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout, Point,
+    Shot, bytes_of, develop, folder_of, hint, list, own_point, panorama, repeated,
 };
+use organza_core::error::invalid;
 use organza_core::scene::Placement;
 use organza_core::{Camera, Error, Result};
 
+/// Focal lengths of lenses, as multiples of an image's longer side: 160 degrees to half a degree.
+const LIKELY_FOCALS: RangeInclusive<f64> = 0.08..=100.0;
+
 /// The cameras of a data set. Reading them opens no photograph, so it is quick, and finds most mistakes in a data
 /// set. [`Poses::photographs`] reads the photographs.
+#[derive(Default)]
 pub struct Poses {
     /// Photographs of the data set that do not exist as files. Their frames are left out.
     pub missing: Vec<PathBuf>,
@@ -30,11 +38,18 @@ pub struct Poses {
     /// Where the coordinates of cameras and points lie in the world, which is the files' own space.
     pub placement: Placement,
     /// The fingerprint of the files. It does not depend on the placement.
-    pub(super) fingerprint: Fingerprint,
-    pub(super) listing: Listing,
+    fingerprint: Fingerprint,
+    /// The existing photographs.
+    pub(super) shots: Vec<Shot>,
+    pub(super) points: Vec<Point>,
+    pub(super) points_file: Option<PathBuf>,
+    /// Number of photographs that were smaller already.
+    prepared: usize,
     pub(super) options: DatasetOptions,
+    /// The data set's folder, without links.
+    folder: PathBuf,
     /// Whether frames were left out on purpose, so that there may be none to train on.
-    pub(super) is_part: bool,
+    is_part: bool,
     /// Background of the photographs, once it is decided.
     background: OnceLock<[f32; 3]>,
 }
@@ -60,43 +75,144 @@ impl Poses {
     pub fn load(path: &Path, options: &DatasetOptions) -> Result<Self> {
         options.check()?;
         fs::metadata(path).map_err(|source| Error::read(path, source))?;
-        let path = &folder_of(path);
-        let mut access = Access::new(path, options.allow_outside)?;
-        let mut listing = list(path, options, &mut access)?;
-        let missing = std::mem::take(&mut listing.missing);
-        listing.notes.extend(listing.unlikely_lens());
-        listing.notes.extend(listing.unused_masks(path));
-        let notes = std::mem::take(&mut listing.notes);
-        if let ([], [first, ..]) = (&*listing.shots, &*missing) {
-            let all = missing.len();
+        let mut poses = Self::new(&folder_of(path), options)?;
+        list(&mut poses)?;
+        poses.notes.extend(poses.unlikely_lens());
+        poses.notes.extend(poses.unused_masks());
+        let path = &poses.path;
+        if let ([], [first, ..]) = (&*poses.shots, &*poses.missing) {
+            let all = poses.missing.len();
             let hint = hint(path, Some(first)).unwrap_or_default();
             let first = first.display();
             let reason =
                 format!("none of the {all} photographs exists; the first should be {first}{hint}");
             return invalid(path, reason);
         }
-        let fingerprint = listing.fingerprint();
-        let placement = options.placement.unwrap_or_else(|| listing.placement());
-        listing.place(&placement);
-        let outside = access.outside;
-        let path = path.to_owned();
-        let options = options.clone();
-        let kind = listing.kind;
-        let background = OnceLock::new();
-        let is_part = false;
-        Ok(Self {
-            missing,
-            outside,
-            notes,
-            kind,
-            path,
-            placement,
-            fingerprint,
-            listing,
-            options,
-            is_part,
-            background,
-        })
+        let shots = poses.shots.iter();
+        let known = shots.map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
+        poses.fingerprint = Fingerprint::new(known, &poses.points);
+        let suggested = || {
+            let cameras: Vec<_> = poses.shots.iter().map(|shot| shot.camera.clone()).collect();
+            let points: Vec<_> = poses.points.iter().map(|point| point.position).collect();
+            Placement::of(&cameras, &points)
+        };
+        let placement = options.placement.unwrap_or_else(suggested);
+        poses.place(placement);
+        Ok(poses)
+    }
+
+    /// A data set of which nothing has been read yet: a folder, or a file in one.
+    pub(super) fn new(path: &Path, options: &DatasetOptions) -> Result<Self> {
+        let folder = match path.parent() {
+            _ if path.is_dir() => path,
+            Some(folder) if folder != Path::new("") => folder,
+            _ => Path::new("."),
+        };
+        let folder = fs::canonicalize(folder).map_err(|source| Error::read(folder, source))?;
+        Ok(Self { path: path.to_owned(), folder, options: options.clone(), ..Self::default() })
+    }
+
+    /// Checks a file of the data set before it is opened.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if the file is outside, by its path or by a link on the way, and must not be.
+    pub(super) fn check_place(&mut self, file: &Path) -> Result<()> {
+        // A file that does not exist is not read either.
+        let Ok(found) = fs::canonicalize(file) else { return Ok(()) };
+        if found.starts_with(&self.folder) {
+            return Ok(());
+        }
+        if !self.options.allow_outside {
+            let reason = format!(
+                "the data set names this file, but it is outside of {}; if you trust the data \
+                 set, read it with `--allow-outside`",
+                self.folder.display()
+            );
+            return invalid(file, reason);
+        }
+        self.outside.push(file.to_owned());
+        Ok(())
+    }
+
+    /// Adds a photograph, or its pinhole views if its view is too wide for one plane. `camera` is the camera of the whole
+    /// photograph, and has its name.
+    pub(super) fn add(
+        &mut self,
+        PhotographFile { path, prepared, mask }: PhotographFile,
+        camera: Camera,
+        lens: Lens,
+        held_out: bool,
+    ) -> Result<()> {
+        if let Some(mask) = &mask {
+            self.check_place(mask)?;
+        }
+        let downscale = self.options.downscale;
+        let (camera, factor) = match prepared {
+            true => {
+                let size = decode::size(&path)?;
+                let smaller = develop::prepared(&camera, downscale, size);
+                (smaller.or_else(|reason| invalid(&path, reason))?, 1)
+            }
+            false => (camera, downscale),
+        };
+        self.prepared += usize::from(prepared);
+        let name = camera.file_path.clone().unwrap_or_default();
+        let pose = camera.camera_to_world;
+        let trained = None;
+        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out, trained };
+        self.shots.extend(panorama::views_of(shot));
+        Ok(())
+    }
+
+    /// A note if a camera sees much less than through any real lens, or nearly everything.
+    fn unlikely_lens(&self) -> Option<String> {
+        let focal = |shot: &Shot| {
+            let Camera { fl_x, width, height, .. } = shot.camera;
+            fl_x / f64::from(width.max(height))
+        };
+        let unlikely = |shot: &&Shot| {
+            shot.lens.projection != Projection::Fisheye && !LIKELY_FOCALS.contains(&focal(shot))
+        };
+        let shot = self.shots.iter().find(unlikely)?;
+        Some(format!(
+            "the camera of {} has a focal length of {:.0} pixels, {} times the longer side of its image; are `fl_x` in \
+             pixels and `camera_angle_x` in radians?",
+            shot.path.display(),
+            shot.camera.fl_x,
+            significant(focal(shot))
+        ))
+    }
+
+    /// A note if there are masks, but none for any photograph.
+    fn unused_masks(&self) -> Option<String> {
+        let path = &self.path;
+        let folder = if path.is_dir() { path } else { path.parent()? }.join(find::MASKS);
+        let first = self.shots.first()?;
+        let is_empty = fs::read_dir(&folder).ok()?.next().is_none();
+        if is_empty || self.shots.iter().any(|shot| shot.mask.is_some()) {
+            return None;
+        }
+        let name = first.path.file_name()?.to_string_lossy();
+        Some(format!(
+            "no file in {} is the mask of a photograph, so none is used; the mask of {} would be {name}.png, in the same \
+             folders as in `images`, or named by the data set",
+            folder.display(),
+            first.path.display()
+        ))
+    }
+
+    /// Turns cameras and points into the coordinates of a scene. From here on, all of organza computes in these.
+    fn place(&mut self, placement: Placement) {
+        self.placement = placement;
+        if placement.is_identity() {
+            return;
+        }
+        for shot in &mut self.shots {
+            shot.camera = placement.own_camera(&shot.camera);
+        }
+        for point in &mut self.points {
+            point.position = own_point(&placement, point.position);
+        }
     }
 
     /// Describes how frames and points differ from a run's; `None` if they do not.
@@ -107,21 +223,21 @@ impl Poses {
 
     /// Accepts only the photographs that a run was trained on: reading a changed one is an error.
     pub fn require(&mut self, trained: &Fingerprint) {
-        let shots = &mut self.listing.shots;
+        let shots = &mut self.shots;
         let digests = trained.photographs();
         if digests.len() == shots.len() {
             shots.iter_mut().zip(digests).for_each(|(shot, digest)| shot.trained = Some(digest));
         }
     }
 
-    /// Keeps only the held-out frames, or only those to train on. Nothing else is read. Photographs look the same as
+    /// Keeps only the held-out frames, or only the ones to train on. Nothing else is read. Photographs look the same as
     /// in the whole data set.
     ///
     /// # Errors
     /// The same errors as [`Dataset::load`].
     pub fn only(mut self, held_out: bool) -> Result<Self> {
         self.background()?;
-        self.listing.shots.retain(|shot| shot.held_out == held_out);
+        self.shots.retain(|shot| shot.held_out == held_out);
         self.is_part = true;
         Ok(self)
     }
@@ -140,7 +256,7 @@ impl Poses {
                 distorted: !shot.lens.is_pinhole(),
             })
         };
-        self.listing.shots.iter().map(pose).collect()
+        self.shots.iter().map(pose).collect()
     }
 
     /// Moves cameras with [`Camera::moved`]. `motions` has an entry for each of [`Poses::cameras`], which is `None`
@@ -149,7 +265,7 @@ impl Poses {
     /// # Errors
     /// [`Error::Camera`] if a moved camera is no longer valid.
     pub fn move_cameras(&mut self, motions: &[Option<[f64; 6]>]) -> Result<()> {
-        let moved = self.listing.shots.iter_mut().zip(motions).enumerate();
+        let moved = self.shots.iter_mut().zip(motions).enumerate();
         for (index, (shot, motion)) in moved {
             let Some(motion) = motion else { continue };
             let moved = self.placement.world_camera(&shot.camera.moved(*motion));
@@ -165,7 +281,7 @@ impl Poses {
     /// # Errors
     /// The same errors as [`Dataset::load`], for this photograph.
     pub fn photograph(&self, index: usize) -> Result<Option<Frame>> {
-        let Some(shot) = self.listing.shots.get(index) else { return Ok(None) };
+        let Some(shot) = self.shots.get(index) else { return Ok(None) };
         let background = Background::Color(self.background()?);
         let options = DatasetOptions { background, ..self.options.clone() };
         shot.develop(&options, &Budget::beside(0)).map(|(frame, _)| Some(frame))
@@ -176,14 +292,23 @@ impl Poses {
         if let Some(background) = self.background.get() {
             return Ok(*background);
         }
-        let background = self.options.decide_background(&self.listing)?;
+        let may_be_white = self.options.background == Background::Auto
+            && self.options.alpha == Alpha::Background
+            && self.kind == DatasetKind::Blender;
+        let mut background = self.options.background.color();
+        for shot in self.shots.iter().take_while(|_| may_be_white) {
+            if decode::has_alpha(&shot.path)? {
+                background = [1.0; 3];
+                break;
+            }
+        }
         Ok(*self.background.get_or_init(|| background))
     }
 
     /// The data set's points.
     #[must_use]
     pub fn points(&self) -> &[Point] {
-        &self.listing.points
+        &self.points
     }
 
     /// Reads the photographs. Calls `progress` with the number of finished photographs and of all photographs. The first
@@ -194,8 +319,8 @@ impl Poses {
     pub fn photographs(self, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Dataset> {
         let background = self.background()?;
         let Self { missing, outside, kind, path, placement, .. } = self;
-        let Self { fingerprint, listing, options, is_part, mut notes, .. } = self;
-        let Listing { points, points_file, shots, prepared, .. } = listing;
+        let Self { fingerprint, options, is_part, mut notes, .. } = self;
+        let Self { points, points_file, shots, prepared, .. } = self;
         let options = DatasetOptions { background: Background::Color(background), ..options };
         let count = shots.len();
         let bytes = bytes_of(&shots);
@@ -251,6 +376,11 @@ impl Poses {
             poses,
         })
     }
+}
+
+/// A number with two digits.
+fn significant(number: f64) -> String {
+    if number < 10.0 { format!("{number:.2}") } else { format!("{number:.0}") }
 }
 
 /// The format of the data set in a folder, by the names of its files; `None` if there is no data set.

@@ -6,15 +6,13 @@ use std::path::{Path, PathBuf};
 use glam::{DMat3, DVec3};
 use serde_json::Value;
 
-use super::find::{self, Access, PhotographFile};
-use super::lens::Lens;
+use super::find::{self, PhotographFile};
+use super::lens::{Lens, Projection};
 use super::panorama::is_panorama;
-use super::{
-    DatasetKind, DatasetOptions, Listing, Point, colmap, decode, invalid, is_held_out, ply,
-};
+use super::{DatasetKind, Point, Poses, colmap, decode, is_held_out, ply};
 use organza_core::camera::parse::{PANORAMA, PERSPECTIVE_MODELS, PINHOLE_MODELS, Source, frames};
 use organza_core::camera::{Camera, camera_error};
-use organza_core::error::{Result, chain};
+use organza_core::error::{Result, chain, invalid};
 use organza_core::input::{kind, read_json};
 
 /// Name of the file that marks a nerfstudio data set.
@@ -36,28 +34,23 @@ pub(super) struct Photographs {
 const ON_DISK: Photographs = Photographs { find: find::photograph, size: decode::size };
 
 /// Reads nerfstudio's file at `path`.
-pub(super) fn nerfstudio(
-    path: &Path,
-    options: &DatasetOptions,
-    access: &mut Access,
-) -> Result<Listing> {
-    let mut listing = Listing { kind: DatasetKind::Nerfstudio, ..Listing::default() };
+pub(super) fn nerfstudio(poses: &mut Poses, path: &Path) -> Result<()> {
+    poses.kind = DatasetKind::Nerfstudio;
     let file = read_json(path)?;
-    let held_out = |position| is_held_out(position, options.hold_out_every);
-    add_frames(&file, path, &mut listing, held_out, options, access, &ON_DISK)?;
-    add_points(&file, path, &mut listing, access)?;
-    Ok(listing)
+    let every = poses.options.hold_out_every;
+    add_frames(poses, &file, path, |position| is_held_out(position, every), &ON_DISK)?;
+    add_points(poses, &file, path)
 }
 
 /// Adds the points to start from, out of the file's point cloud, or else out of a COLMAP model.
-fn add_points(file: &Value, path: &Path, listing: &mut Listing, access: &mut Access) -> Result<()> {
+fn add_points(poses: &mut Poses, file: &Value, path: &Path) -> Result<()> {
     match file.get("ply_file_path") {
         None | Some(Value::Null) => {}
         Some(Value::String(points)) => {
             let points = find::named(folder(path), points);
-            access.check(&points)?;
-            listing.points = ply::read(&points)?;
-            listing.points_file = Some(points);
+            poses.check_place(&points)?;
+            poses.points = ply::read(&points)?;
+            poses.points_file = Some(points);
             return Ok(());
         }
         Some(other) => {
@@ -65,48 +58,43 @@ fn add_points(file: &Value, path: &Path, listing: &mut Listing, access: &mut Acc
             return invalid(path, reason);
         }
     }
-    match points(folder(path), listing) {
+    match points(folder(path), poses) {
         Ok(None) => {}
         Ok(Some((points, file))) => {
-            listing.points = points;
-            listing.points_file = Some(file);
+            poses.points = points;
+            poses.points_file = Some(file);
         }
-        Err(reason) => listing.notes.push(reason),
+        Err(reason) => poses.notes.push(reason),
     }
-    if listing.points.is_empty() {
+    if poses.points.is_empty() {
         let reason = format!("{} does not name it as `ply_file_path`", path.display());
-        listing.notes.extend(find::unused_clouds(folder(path), &reason));
+        poses.notes.extend(find::unused_clouds(folder(path), &reason));
     }
     Ok(())
 }
 
 /// Reads Blender's files; `train` is the first of them.
-pub(super) fn blender(
-    train: &Path,
-    options: &DatasetOptions,
-    access: &mut Access,
-) -> Result<Listing> {
-    let mut listing = Listing { kind: DatasetKind::Blender, ..Listing::default() };
+pub(super) fn blender(poses: &mut Poses, train: &Path) -> Result<()> {
+    poses.kind = DatasetKind::Blender;
     let test = train.with_file_name(BLENDER_TEST);
     let has_test = test.exists();
-    let held_out = |position| !has_test && is_held_out(position, options.hold_out_every);
+    let every = poses.options.hold_out_every;
+    let held_out = |position| !has_test && is_held_out(position, every);
     let file = read_json(train)?;
-    add_frames(&file, train, &mut listing, held_out, options, access, &ON_DISK)?;
-    add_points(&file, train, &mut listing, access)?;
-    if has_test {
-        add_frames(&read_json(&test)?, &test, &mut listing, |_| true, options, access, &ON_DISK)?;
+    add_frames(poses, &file, train, held_out, &ON_DISK)?;
+    add_points(poses, &file, train)?;
+    match has_test {
+        true => add_frames(poses, &read_json(&test)?, &test, |_| true, &ON_DISK),
+        false => Ok(()),
     }
-    Ok(listing)
 }
 
-/// Adds the frames of a file at `path` to a listing. `held_out` decides by the position in the file.
+/// Adds the frames of a file at `path`. `held_out` decides by the position in the file.
 pub(super) fn add_frames(
+    poses: &mut Poses,
     file: &Value,
     path: &Path,
-    listing: &mut Listing,
     held_out: impl Fn(usize) -> bool,
-    options: &DatasetOptions,
-    access: &mut Access,
     photographs: &Photographs,
 ) -> Result<()> {
     for (index, frame) in frames(file, path)?.iter().enumerate() {
@@ -115,15 +103,15 @@ pub(super) fn add_frames(
         let mut source = Source { file, frame, size: None };
         let has_size = source.get("w").is_some() && source.get("h").is_some();
         // A smaller photograph has a camera only if the file gives the size of the whole one.
-        let downscale = if has_size { options.downscale } else { 1 };
+        let downscale = if has_size { poses.options.downscale } else { 1 };
         let found = match (photographs.find)(folder(path), name, mask, downscale) {
             Ok(found) => found,
             Err(expected) => {
-                listing.missing.push(expected);
+                poses.missing.push(expected);
                 continue;
             }
         };
-        access.check(&found.path)?;
+        poses.check_place(&found.path)?;
         // Blender's files give no image size, so it is read from the photographs.
         if !has_size {
             source.size = Some((photographs.size)(&found.path)?);
@@ -131,14 +119,14 @@ pub(super) fn add_frames(
         let camera = source.valid_camera(index, path)?;
         let lens = lens(&source).map_err(|reason| camera_error(path, index, reason))?;
         let Camera { width, height, .. } = camera;
-        if lens.panorama && !is_panorama([width, height]) {
+        if lens.projection == Projection::Panorama && !is_panorama([width, height]) {
             let reason = format!(
                 "has {width} x {height} pixels, but a panorama of 360 degrees is twice as wide as high"
             );
             return Err(camera_error(path, index, reason));
         }
         let camera = Camera { file_path: Some(name.to_owned()), ..camera };
-        listing.add(found, camera, lens, held_out(index), options, access)?;
+        poses.add(found, camera, lens, held_out(index))?;
     }
     Ok(())
 }
@@ -172,7 +160,7 @@ fn lens(source: &Source<'_>) -> Result<Lens, String> {
         Some(Value::String(model)) if PERSPECTIVE_MODELS.contains(&model.as_str()) => is_fisheye,
         Some(Value::String(model)) if model == FISHEYE => true,
         Some(Value::String(model)) if model == PANORAMA => {
-            return Ok(Lens { panorama: true, ..Lens::default() });
+            return Ok(Lens { projection: Projection::Panorama, ..Lens::default() });
         }
         Some(Value::String(model)) => {
             return Err(format!(
@@ -193,7 +181,8 @@ fn lens(source: &Source<'_>) -> Result<Lens, String> {
     let (k4, denominator) = if is_full { (0.0, [k4, k5, k6]) } else { (k4, [0.0; 3]) };
     let tangential = if fisheye { [0.0; 2] } else { [value("p1")?, value("p2")?] };
     let radial = [value("k1")?, value("k2")?, k3, k4];
-    Ok(Lens { fisheye, radial, denominator, tangential, ..Lens::default() })
+    let projection = if fisheye { Projection::Fisheye } else { Projection::Plane };
+    Ok(Lens { projection, radial, denominator, tangential, ..Lens::default() })
 }
 
 fn folder(path: &Path) -> &Path {
@@ -211,14 +200,14 @@ const MIN_PAIRS: usize = 3;
 /// Largest distance of a camera from its place, relative to the distances between cameras.
 const CLOSE: f64 = 0.02;
 
-/// The points of a COLMAP model, in the world of a listing's cameras, and their file. `None` without a model. The error says why
+/// The points of a COLMAP model, in the world of a data set's cameras, and their file. `None` without a model. The error says why
 /// the model is not used.
 ///
 /// Poses often come from such a model, but nerfstudio and instant-ngp rotate, move and scale them. Photographs of the
 /// same name determine the transformation. They need not be where the model expects them.
 pub(super) fn points(
     folder: &Path,
-    listing: &Listing,
+    poses: &Poses,
 ) -> Result<Option<(Vec<Point>, PathBuf)>, String> {
     let Some(model) = colmap::find(folder) else { return Ok(None) };
     let unused = |reason: String| {
@@ -234,7 +223,7 @@ pub(super) fn points(
     let pair =
         |camera| Some((most_alike(by_name.get(file_name(camera_name(camera)))?, camera)?, camera));
     let pairs: Vec<(&Camera, &Camera)> =
-        listing.shots.iter().filter_map(|shot| pair(&shot.camera)).collect();
+        poses.shots.iter().filter_map(|shot| pair(&shot.camera)).collect();
     if pairs.len() < MIN_PAIRS {
         return Err(unused(format!(
             "only {} of its {} photographs have the names of photographs in the data set, and {MIN_PAIRS} are needed \

@@ -8,11 +8,11 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::find::Access;
 use super::lens::Lens;
 use super::panorama::{FACES, panorama_of};
-use super::{DatasetKind, DatasetOptions, Listing, Point, find, invalid, is_held_out, ply};
+use super::{DatasetKind, DatasetOptions, Point, Poses, find, is_held_out, ply};
 use model::{Image, Intrinsics};
+use organza_core::error::invalid;
 use organza_core::input::open_regular;
 use organza_core::{Camera, Result};
 
@@ -158,14 +158,11 @@ fn numbered(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// Reads a model, and finds its photographs.
-pub(super) fn list(
-    folder: &Path,
-    model: &Model,
-    options: &DatasetOptions,
-    access: &mut Access,
-) -> Result<Listing> {
-    let mut listing = Listing { kind: DatasetKind::Colmap, ..Listing::default() };
-    listing.notes.extend(model.note());
+pub(super) fn list(poses: &mut Poses, model: &Model) -> Result<()> {
+    let folder = &*poses.path.clone();
+    let DatasetOptions { downscale, hold_out_every, .. } = poses.options;
+    poses.kind = DatasetKind::Colmap;
+    poses.notes.extend(model.note());
     let (cameras, points, file) = read(model)?;
     let mut position = 0;
     let mut last = None;
@@ -175,24 +172,23 @@ pub(super) fn list(
         let whole = Some(panorama_of(&name, &FACES).unwrap_or(&name).to_owned());
         position += usize::from(last.is_some() && last != whole);
         last = whole;
-        let photograph = |name: &str| find::photograph(folder, name, None, options.downscale);
+        let photograph = |name: &str| find::photograph(folder, name, None, downscale);
         let in_images = photograph(&format!("images/{name}"));
         match in_images.or_else(|expected| photograph(&name).map_err(|_| expected)) {
             Ok(found) => {
-                access.check(&found.path)?;
-                let held_out = is_held_out(position, options.hold_out_every);
-                listing.add(found, camera, lens, held_out, options, access)?;
+                poses.check_place(&found.path)?;
+                poses.add(found, camera, lens, is_held_out(position, hold_out_every))?;
             }
-            Err(expected) => listing.missing.push(expected),
+            Err(expected) => poses.missing.push(expected),
         }
     }
-    listing.points = points;
-    listing.points_file = Some(file);
-    if listing.points.is_empty() {
+    poses.points = points;
+    poses.points_file = Some(file);
+    if poses.points.is_empty() {
         let reason = format!("that is {POINTS_PLY} in {}", model.folder.display());
-        listing.notes.extend(find::unused_clouds(folder, &reason));
+        poses.notes.extend(find::unused_clouds(folder, &reason));
     }
-    Ok(listing)
+    Ok(())
 }
 
 /// A model's cameras by the names of their images, and its points by id, because COLMAP writes both in no particular
@@ -207,7 +203,7 @@ pub(super) fn read(model: &Model) -> Result<(Lensed, Vec<Point>, PathBuf)> {
     let origin = &model.file("images");
     let mut images = model.images()?;
     if images.is_empty() {
-        return invalid(origin, "the model has no images; did COLMAP finish?".to_owned());
+        return invalid(origin, "the model has no images; did COLMAP finish?");
     }
     images.sort_by(|a, b| a.name.cmp(&b.name));
     if let Some(pair) = images.windows(2).find(|pair| pair[0].name == pair[1].name) {

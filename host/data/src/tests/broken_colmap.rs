@@ -9,9 +9,9 @@ use super::colmap_files::{
 use super::*;
 
 fn list_folder(root: &Path) -> Result<usize> {
-    let mut access = Access::new(root, false)?;
-    list(root, &find(root).unwrap(), &DatasetOptions::default(), &mut access)
-        .map(|listing| listing.shots.len())
+    let mut poses = Poses::new(root, &DatasetOptions::default())?;
+    list(&mut poses, &find(root).unwrap())?;
+    Ok(poses.shots.len())
 }
 
 /// Asserts that the edited model is refused with all the facts, binary and text.

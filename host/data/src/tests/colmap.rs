@@ -2,6 +2,7 @@ use std::fs;
 
 use super::colmap_files::{Model, cameras_txt, sample, write, write_model};
 use super::*;
+use crate::lens::Projection;
 use glam::DVec3;
 
 fn dataset(model: &Model, binary: bool) -> Dataset {
@@ -158,11 +159,12 @@ fn parameters_are_where_colmap_has_them() {
         ..Lens::default()
     };
     assert_eq!(lens_of("FULL_OPENCV", &values(12)).unwrap(), full);
-    let fisheye = Lens { fisheye: true, radial: [5.0, 6.0, 7.0, 8.0], ..Lens::default() };
+    let fisheye =
+        Lens { projection: Projection::Fisheye, radial: [5.0, 6.0, 7.0, 8.0], ..Lens::default() };
     assert_eq!(lens_of("OPENCV_FISHEYE", &values(8)).unwrap(), fisheye);
     let opencv = lens([5.0, 6.0, 0.0], [7.0, 8.0]);
     assert_eq!(lens_of("OPENCV", &values(8)).unwrap(), opencv);
-    assert!(lens_of("FISHEYE", &values(4)).unwrap().fisheye);
+    assert_eq!(lens_of("FISHEYE", &values(4)).unwrap().projection, Projection::Fisheye);
     assert!(lens_of("FULL_OPENCV", &values(11)).unwrap_err().contains("12 parameters, not 11"));
     assert!(lens_of("FOV", &values(5)).unwrap_err().contains("not supported"));
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::lens::{Lens, Undistortion};
+use super::super::lens::{Lens, Projection, Undistortion};
 use super::*;
 
 fn camera([width, height]: [u32; 2], [fl_x, fl_y, cx, cy]: [f64; 4]) -> Camera {
@@ -75,7 +75,7 @@ const EQUIDISTANT: Table = [
 ];
 
 fn fisheye(radial: [f64; 4]) -> Lens {
-    Lens { fisheye: true, radial, ..Lens::default() }
+    Lens { projection: Projection::Fisheye, radial, ..Lens::default() }
 }
 
 #[test]

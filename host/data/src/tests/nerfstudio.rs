@@ -5,6 +5,7 @@ use proptest::sample::Index;
 
 use super::nasty::{nasty_value, replace_value};
 use super::*;
+use crate::lens::Projection;
 use crate::transforms::lens_of as transforms_lens;
 
 /// Asserts that the edited file fails with all the facts.
@@ -83,7 +84,7 @@ fn lenses_are_those_that_the_file_names() {
     let brown = Lens { radial, tangential: [0.6, 0.0], ..Lens::default() };
     assert_eq!(lens_of(&[]), brown);
     assert_eq!(lens_of(&[("camera_model", json!("OPENCV"))]), brown);
-    let fisheye = Lens { fisheye: true, radial, ..Lens::default() };
+    let fisheye = Lens { projection: Projection::Fisheye, radial, ..Lens::default() };
     assert_eq!(lens_of(&[("camera_model", json!("OPENCV_FISHEYE"))]), fisheye);
     assert_eq!(lens_of(&[("is_fisheye", json!(true))]), fisheye);
     let radial = [0.1, 0.2, 0.3, 0.0];

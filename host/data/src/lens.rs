@@ -10,13 +10,32 @@ use organza_core::camera::Camera;
 /// Number of steps, in [`Lens::extent`], in the search for the radius at which a lens folds.
 const FOLD_STEPS: u32 = 4096;
 
-/// Distortion coefficients. A pinhole has all 0, and is neither a fisheye nor a panorama.
+/// How a lens maps directions. A new kind needs its place in [`Lens`] and a name in the readers, and nothing else.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Projection {
+    /// Onto a plane.
+    #[default]
+    Plane,
+    /// The radius is a function of the angle to the axis. With all coefficients 0, that is an equidistant projection.
+    Fisheye,
+    /// A panorama of 360 degrees in the equirectangular projection.
+    Panorama,
+}
+
+impl Projection {
+    /// What identifies it in a fingerprint: a panorama's views say more of it.
+    pub fn code(self) -> u8 {
+        match self {
+            Self::Plane | Self::Panorama => 0,
+            Self::Fisheye => 1,
+        }
+    }
+}
+
+/// Distortion coefficients. A pinhole has all 0, and projects onto a plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Lens {
-    /// Whether the radius is a function of the angle. With all coefficients 0, that is an equidistant projection.
-    pub fisheye: bool,
-    /// Whether the photograph is a panorama of 360 degrees in the equirectangular projection.
-    pub panorama: bool,
+    pub projection: Projection,
     /// k1 to k4 of a fisheye. Otherwise k1, k2, k3, and nerfstudio's k4.
     pub radial: [f64; 4],
     /// OpenCV's k4, k5 and k6: the radial terms of the denominator.
@@ -60,34 +79,39 @@ impl Lens {
 
     /// Whether the photograph is a pinhole image already.
     pub fn is_pinhole(&self) -> bool {
-        let is_plane = !self.fisheye && !self.panorama;
-        is_plane && self.coefficients().all(|coefficient| coefficient == 0.0)
+        self.projection == Projection::Plane
+            && self.coefficients().all(|coefficient| coefficient == 0.0)
     }
 
     /// Where a direction is in the photograph, on the plane at depth 1. In a panorama, that is longitude and latitude.
     pub fn project(&self, direction: DVec3) -> [f64; 2] {
         let DVec3 { x, y, z } = direction;
-        if self.panorama {
-            return [x.atan2(z), y.atan2(x.hypot(z))];
-        }
         let square = self.extent(direction);
         let radial = self.radial(square);
-        if self.fisheye {
-            let angle = square.sqrt();
-            let factor = radial * if angle > 0.0 { angle / x.hypot(y) } else { 1.0 };
-            return [x * factor, y * factor];
+        match self.projection {
+            Projection::Panorama => [x.atan2(z), y.atan2(x.hypot(z))],
+            Projection::Fisheye => {
+                let angle = square.sqrt();
+                let factor = radial * if angle > 0.0 { angle / x.hypot(y) } else { 1.0 };
+                [x * factor, y * factor]
+            }
+            Projection::Plane => {
+                let [x, y] = [x / z, y / z];
+                let [p1, p2] = self.tangential;
+                [
+                    x * radial + 2.0 * p1 * x * y + p2 * (square + 2.0 * x * x),
+                    y * radial + p1 * (square + 2.0 * y * y) + 2.0 * p2 * x * y,
+                ]
+            }
         }
-        let [x, y] = [x / z, y / z];
-        let [p1, p2] = self.tangential;
-        [
-            x * radial + 2.0 * p1 * x * y + p2 * (square + 2.0 * x * x),
-            y * radial + p1 * (square + 2.0 * y * y) + 2.0 * p2 * x * y,
-        ]
     }
 
     /// The square of the variable of the radial terms: a fisheye's angle to the axis, or else the radius at depth 1.
     fn extent(&self, DVec3 { x, y, z }: DVec3) -> f64 {
-        if self.fisheye { x.hypot(y).atan2(z).powi(2) } else { (x * x + y * y) / (z * z) }
+        match self.projection {
+            Projection::Fisheye => x.hypot(y).atan2(z).powi(2),
+            _ => (x * x + y * y) / (z * z),
+        }
     }
 
     /// The factor of the root of an extent.
@@ -129,9 +153,9 @@ impl<'a> Undistortion<'a> {
         let mut undistortion = Self { camera, lens, cut, fold: f64::INFINITY };
         let [width, height] = [camera.width, camera.height].map(f64::from);
         let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]];
-        let farthest = match lens.fisheye {
-            true => PI * PI,
-            false => corners
+        let farthest = match lens.projection {
+            Projection::Fisheye => PI * PI,
+            _ => corners
                 .map(|corner| lens.extent(undistortion.direction(corner)))
                 .into_iter()
                 .fold(0.0, f64::max),
@@ -144,7 +168,8 @@ impl<'a> Undistortion<'a> {
     /// corner. `None` if it is outside of the photograph.
     pub fn source(&self, place: [f64; 2]) -> Option<[f64; 2]> {
         let direction = self.direction(place);
-        let is_folded = !self.lens.panorama && self.lens.extent(direction) > self.fold;
+        let is_folded =
+            self.lens.projection != Projection::Panorama && self.lens.extent(direction) > self.fold;
         let Reprojection { focal, center, size, .. } = self.cut;
         let place = self.lens.project(direction);
         let source = [0, 1].map(|axis| focal[axis] * place[axis] + center[axis]);

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::keep::Keep;
-use organza_core::error::{Error, Result};
+use organza_core::error::{Result, argument};
 use organza_core::scene::Placement;
 use serde::{Deserialize, Serialize};
 
@@ -51,12 +51,11 @@ impl Default for DatasetOptions {
 
 impl DatasetOptions {
     pub(super) fn check(&self) -> Result<()> {
-        let refuse = |reason: String| Err(Error::Argument { reason });
         if self.downscale == 0 {
-            return refuse("`downscale` is 0, expected 1 (full size) or more".to_owned());
+            return argument("`downscale` is 0, expected 1 (full size) or more");
         }
         if self.hold_out_every == 1 {
-            return refuse(
+            return argument(
                 "`hold_out_every` is 1, which leaves nothing to train on; expected 2 or more, or 0 \
                  to hold no frame out"
                     .to_owned(),
@@ -64,7 +63,7 @@ impl DatasetOptions {
         }
         let background = self.background.color();
         if !background.iter().all(|value| (0.0..=1.0).contains(value)) {
-            return refuse(format!("`background` is {background:?}, expected values of 0 to 1"));
+            return argument(format!("`background` is {background:?}, expected values of 0 to 1"));
         }
         Ok(())
     }

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 
 use super::decode::Budget;
 use super::develop::Shot;
-use super::lens::{Lens, Reprojection, Undistortion};
+use super::lens::{Lens, Projection, Reprojection, Undistortion};
 use super::{DatasetOptions, Frame, decode};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE, median};
 use organza_core::error::Result;
@@ -137,7 +137,7 @@ pub fn cut(path: &Path, side: u32, views: &[PanoramaView]) -> Result<Vec<Frame>>
         mask: None,
         camera: Camera::pinhole(pose, [1.0; 2], [0.0; 2], size),
         pose,
-        lens: Lens { panorama: true, ..Lens::default() },
+        lens: Lens { projection: Projection::Panorama, ..Lens::default() },
         factor: factor as u32,
         held_out: false,
         trained: None,
@@ -151,7 +151,7 @@ pub fn cut(path: &Path, side: u32, views: &[PanoramaView]) -> Result<Vec<Frame>>
 /// The views of a photograph. A photograph that fits on one plane is its only view.
 pub(super) fn views_of(shot: Shot) -> Vec<Shot> {
     let Camera { fl_x, fl_y, width, .. } = shot.camera;
-    if shot.lens.panorama {
+    if shot.lens.projection == Projection::Panorama {
         seen(&shot, f64::from(width) / PI, &FACES)
     } else if is_wide(&shot) {
         seen(&shot, 2.0 * fl_x.max(fl_y), &FACES)
@@ -166,13 +166,13 @@ fn is_wide(shot: &Shot) -> bool {
     let Camera { fl_x, fl_y, cx, cy, .. } = shot.camera;
     let sides = [[WIDE, 0.0], [-WIDE, 0.0], [0.0, WIDE], [0.0, -WIDE]];
     let is_seen = |[x, y]: [f64; 2]| undistortion.source([cx + fl_x * x, cy + fl_y * y]).is_some();
-    shot.lens.fisheye && sides.into_iter().any(is_seen)
+    shot.lens.projection == Projection::Fisheye && sides.into_iter().any(is_seen)
 }
 
 /// The `views`, of `side` x `side` pixels, that show some of the photograph.
 fn seen(shot: &Shot, side: f64, views: &[PanoramaView]) -> Vec<Shot> {
     let mut whole = Reprojection::whole(&shot.camera);
-    if shot.lens.panorama {
+    if shot.lens.projection == Projection::Panorama {
         let [width, height] = whole.size.map(f64::from);
         whole.focal = [width / TAU, height / PI];
         whole.center = [width / 2.0, height / 2.0];

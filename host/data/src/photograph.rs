@@ -3,7 +3,8 @@
 use std::fmt;
 
 use super::keep::{Kept, Store};
-use organza_core::{Camera, Error, Image, Result};
+use organza_core::error::argument;
+use organza_core::{Camera, Image, Result};
 
 /// An image of 8-bit red, green and blue as sRGB values.
 ///
@@ -26,7 +27,7 @@ impl Photograph {
     /// valid.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the lengths do not match the size.
+    /// [`Error::Argument`](organza_core::Error::Argument) if the lengths do not match the size.
     pub fn new(
         [width, height]: [u32; 2],
         pixels: Vec<[u8; 3]>,
@@ -35,9 +36,9 @@ impl Photograph {
         let count = u64::from(width) * u64::from(height);
         let lengths = [Some(pixels.len()), valid.as_ref().map(Vec::len)];
         if let Some(length) = lengths.into_iter().flatten().find(|&len| len as u64 != count) {
-            let reason =
-                format!("a photograph of {width} x {height} has {count} pixels, not {length}");
-            return Err(Error::Argument { reason });
+            return argument(format!(
+                "a photograph of {width} x {height} has {count} pixels, not {length}"
+            ));
         }
         let valid = valid.filter(|valid| valid.contains(&false)).map(Kept::from);
         Ok(Self { width, height, pixels: pixels.into(), valid, alpha: None })
@@ -46,12 +47,14 @@ impl Photograph {
     /// Adds the alpha of every pixel, row by row, from 0 to 255. The pixels must already contain the background.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the length does not match the size.
+    /// [`Error::Argument`](organza_core::Error::Argument) if the length does not match the size.
     pub fn with_alpha(mut self, alpha: Vec<u8>) -> Result<Self> {
         let count = self.pixels.len();
         if alpha.len() != count {
-            let reason = format!("a photograph of {count} pixels has {} of alpha", alpha.len());
-            return Err(Error::Argument { reason });
+            return argument(format!(
+                "a photograph of {count} pixels has {} of alpha",
+                alpha.len()
+            ));
         }
         self.alpha = alpha.iter().any(|&alpha| alpha < 255).then_some(alpha.into());
         Ok(self)

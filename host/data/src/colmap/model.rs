@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use crate::lens::Lens;
+use crate::lens::{Lens, Projection};
 use Parameter::{CenterX, CenterY, D, Focal, FocalX, FocalY, K, P};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
 
@@ -106,7 +106,9 @@ impl Lenses {
         }
         let mut focal = [0.0; 2];
         let mut center = [0.0; 2];
-        let mut lens = Lens { fisheye: self.name.contains("FISHEYE"), ..Lens::default() };
+        let is_fisheye = self.name.contains("FISHEYE");
+        let projection = if is_fisheye { Projection::Fisheye } else { Projection::Plane };
+        let mut lens = Lens { projection, ..Lens::default() };
         for (parameter, &value) in self.parameters.iter().zip(values) {
             match *parameter {
                 Focal => focal = [value; 2],

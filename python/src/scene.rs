@@ -1,13 +1,12 @@
 //! Scenes, and their tensors as numpy arrays.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use numpy::ndarray::{ArrayViewD, ArrayViewMutD};
 use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use organza::DeviceOptions;
 use organza::camera::Orbit;
-use organza::error::IN_MEMORY;
 use organza::scene::{SceneConfig, TensorSpec};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
@@ -57,12 +56,8 @@ impl Scene {
         let mut used = 0;
         for (spec, target) in scene.tensors_mut() {
             let Some(value) = tensors.get_item(&spec.name)? else {
-                let origin = PathBuf::new();
-                let expected = spec.shape;
-                let tensor = spec.name;
-                let why = spec.why;
-                let missing = organza::Error::MissingTensor { origin, tensor, expected, why };
-                return Err(raise(missing));
+                spec.check_shape(None).map_err(raise)?;
+                continue;
             };
             target.copy_from_slice(array(&spec, &value)?.as_slice()?);
             used += 1;
@@ -162,7 +157,7 @@ pub fn array<'py>(
     let array: PyReadonlyArrayDyn<'py, f32> = value.extract()?;
     // numpy turns a number into [1]
     if !(spec.values() == 1 && array.len() == 1) {
-        spec.check_shape(Some(array.shape()), Path::new(IN_MEMORY)).map_err(raise)?;
+        spec.check_shape(Some(array.shape())).map_err(raise)?;
     }
     Ok(array)
 }

@@ -26,7 +26,7 @@ fn tiles_match_the_reference() {
 fn tiles_of_half_grids_are_close() {
     cases::on_every_device(|backend, renderer, case, full| {
         let scene = renderer
-            .upload_with(&case.scene, UploadOptions::default().half_grids(true))
+            .upload_with(&case.scene, UploadOptions { half_grids: true })
             .expect("it is uploaded");
         assert!(scene.bytes() < full.bytes(), "{}: no smaller on {backend}", case.name);
         let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");

@@ -106,9 +106,9 @@ fn template() -> Sandbox {
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
     sandbox.run("tiles scene.safetensors cameras.json tiles.json -o out --backend cpu").assert_ok();
     let tiles = organza::scene::read_tensors(sandbox.path("out")).unwrap().remove("tiles").unwrap();
-    let name = "grad_tiles";
-    let tensor = organza::scene::TensorRef { name, shape: &tiles.shape, data: &tiles.data };
-    organza::scene::write_tensors(sandbox.path("g"), &[tensor], &[]).unwrap();
+    let name = "grad_tiles".to_owned();
+    let spec = organza::scene::TensorSpec { name, shape: tiles.shape, why: "" };
+    organza::scene::write_tensors(sandbox.path("g"), &[(spec, &tiles.data)], &[]).unwrap();
     fs::remove_file(sandbox.path("out")).unwrap();
     let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
                property float z\nend_header\n0 0 0\n1 2 3\n0.5 0.1 -1\n";

@@ -109,9 +109,17 @@ pub fn check_writable(path: impl AsRef<Path>) -> Result<()> {
             let reason = format!("{} is a file, not a folder", folder.display());
             return Err(io::Error::other(reason));
         }
-        new_file_in(&folder).map(drop)
+        check_folder(&folder)
     };
     check().map_err(|source| Error::write(path, source))
+}
+
+/// Checks that files can be made in a folder.
+///
+/// # Errors
+/// The system's.
+pub fn check_folder(folder: &Path) -> io::Result<()> {
+    new_file_in(folder).map(drop)
 }
 
 fn parent(path: &Path) -> PathBuf {

@@ -18,10 +18,10 @@ pub use target::{Target, median};
 use glam::{DMat3, DVec3, Vec2};
 use organza_shaders::camera::Camera as KernelCamera;
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value, json};
+use serde_json::json;
 
 use crate::atomic_file::write_atomic;
-use crate::error::{Error, IN_MEMORY, Result};
+use crate::error::{Error, IN_MEMORY, Result, refuse};
 use crate::input::read_json;
 
 /// Largest width or height of an image, in pixels.
@@ -139,7 +139,7 @@ impl Camera {
         let up = back.cross(right);
         let row = |axis: usize| [right[axis], up[axis], back[axis], eye[axis]];
         let focal = parse::focal_length(f64::from(width), angle_x)
-            .map_err(|reason| camera_error(Path::new(IN_MEMORY), 0, reason))?;
+            .map_err(|reason| camera_error(IN_MEMORY.as_ref(), 0, reason))?;
         let pose = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
         let principal = [width, height].map(|side| 0.5 * f64::from(side));
         let camera = Self::pinhole(pose, [focal; 2], principal, [width, height]);
@@ -264,11 +264,7 @@ impl Camera {
     /// # Errors
     /// [`Error::Camera`] for the first problem.
     pub fn validate(&self, frame: usize) -> Result<()> {
-        self.validate_at(frame, Path::new(IN_MEMORY))
-    }
-
-    fn validate_at(&self, frame: usize, origin: &Path) -> Result<()> {
-        self.check().map_err(|reason| camera_error(origin, frame, reason))
+        self.check().map_err(|reason| camera_error(IN_MEMORY.as_ref(), frame, reason))
     }
 
     /// Like [`Self::validate`], for callers with their own names of cameras.
@@ -337,43 +333,33 @@ impl Camera {
         }
         Ok(())
     }
-
-    fn intrinsics(&self) -> Map<String, Value> {
-        let values = [
-            ("fl_x", json!(self.fl_x)),
-            ("fl_y", json!(self.fl_y)),
-            ("cx", json!(self.cx)),
-            ("cy", json!(self.cy)),
-            ("w", json!(self.width)),
-            ("h", json!(self.height)),
-        ];
-        values.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
-    }
 }
 
 /// The bytes of a `transforms.json`: see [`Camera::save_all`].
 pub fn encode(cameras: &[Camera]) -> Result<Vec<u8>> {
-    let invalid = |reason| Error::Invalid { origin: IN_MEMORY.into(), reason };
-    let Some(first) = cameras.first() else {
-        return Err(invalid("there are no cameras to write".to_owned()));
-    };
+    let Some(first) = cameras.first() else { return refuse("there are no cameras to write") };
     for (frame, camera) in cameras.iter().enumerate() {
         camera.validate(frame)?;
     }
-    let shared = first.intrinsics();
-    let same = cameras.iter().all(|camera| camera.intrinsics() == shared);
-    let frame = |camera: &Camera| {
-        let mut frame = if same { Map::new() } else { camera.intrinsics() };
-        if let Some(path) = &camera.file_path {
-            frame.insert("file_path".to_owned(), json!(path));
-        }
-        frame.insert("transform_matrix".to_owned(), json!(camera.camera_to_world));
-        Value::Object(frame)
+    let intrinsics = |camera: &Camera| {
+        let mut values = json!(camera);
+        values.as_object_mut().and_then(|values| values.remove("camera_to_world"));
+        values
     };
-    let mut file = if same { shared.clone() } else { Map::new() };
-    file.insert("camera_model".to_owned(), json!("PINHOLE"));
-    file.insert("frames".to_owned(), cameras.iter().map(frame).collect());
-    let mut bytes = serde_json::to_vec_pretty(&file).map_err(|e| invalid(e.to_string()))?;
+    let shared = intrinsics(first);
+    let same = cameras.iter().all(|camera| intrinsics(camera) == shared);
+    let frame = |camera: &Camera| {
+        let mut frame = if same { json!({}) } else { intrinsics(camera) };
+        if let Some(path) = &camera.file_path {
+            frame["file_path"] = json!(path);
+        }
+        frame["transform_matrix"] = json!(camera.camera_to_world);
+        frame
+    };
+    let mut file = if same { shared.clone() } else { json!({}) };
+    file["camera_model"] = json!("PINHOLE");
+    file["frames"] = cameras.iter().map(frame).collect();
+    let mut bytes = serde_json::to_vec_pretty(&file).or_else(|error| refuse(error.to_string()))?;
     bytes.push(b'\n');
     Ok(bytes)
 }

@@ -81,89 +81,15 @@ pub enum Error {
         reason: String,
     },
 
-    /// A tensor that the configuration asks for is absent.
-    #[error("{}tensor `{tensor}` is missing; it should be F32 {expected:?} ({why})", place(origin))]
-    MissingTensor {
+    /// A tensor is absent, or its type, shape, size or values are wrong.
+    #[error("{}tensor `{tensor}` {reason}", place(origin))]
+    Tensor {
         /// The file.
         origin: PathBuf,
         /// The tensor's name.
         tensor: String,
-        /// The shape it should have.
-        expected: Vec<usize>,
-        /// The reason for that shape.
-        why: &'static str,
-    },
-
-    /// A tensor has the wrong element type.
-    #[error(
-        "{}tensor `{tensor}` is {found}, expected F32; convert it and save again",
-        place(origin)
-    )]
-    WrongDtype {
-        /// The file.
-        origin: PathBuf,
-        /// The tensor's name.
-        tensor: String,
-        /// The element type it has.
-        found: String,
-    },
-
-    /// A tensor's shape and the configuration disagree.
-    #[error(
-        "{}tensor `{tensor}` has shape {found:?}, expected {expected:?} ({why}); make the \
-         tensor and the config agree",
-        place(origin)
-    )]
-    WrongShape {
-        /// The file.
-        origin: PathBuf,
-        /// The tensor's name.
-        tensor: String,
-        /// The shape it has; a flat vector in memory counts as `[length]`.
-        found: Vec<usize>,
-        /// The shape it should have.
-        expected: Vec<usize>,
-        /// The reason for that shape.
-        why: &'static str,
-    },
-
-    /// A tensor holds more values than the kernels can address.
-    #[error(
-        "{}tensor `{tensor}` would hold {values} values; the kernels address fewer than \
-         2^31 = 2147483648: use fewer Gaussians or smaller tables",
-        place(origin)
-    )]
-    TooManyValues {
-        /// The file.
-        origin: PathBuf,
-        /// The tensor's name.
-        tensor: String,
-        /// Number of its values.
-        values: usize,
-    },
-
-    /// A tensor holds a NaN or an infinity.
-    #[error(
-        "{}tensor `{tensor}` holds {value} at flat index {index}; every value must be \
-         finite (did the training diverge?)",
-        place(origin)
-    )]
-    NotFinite {
-        /// The file.
-        origin: PathBuf,
-        /// The tensor's name.
-        tensor: String,
-        /// The position of the first such value in row-major order.
-        index: usize,
-        /// The value.
-        value: f32,
-    },
-
-    /// A scene without Gaussians.
-    #[error("{}the scene holds no Gaussians; there is nothing to render", place(origin))]
-    EmptyScene {
-        /// The file.
-        origin: PathBuf,
+        /// The mistake, what was expected, and why.
+        reason: String,
     },
 
     /// A value in the scene's configuration is out of range.
@@ -274,11 +200,50 @@ pub fn chain(error: &(dyn std::error::Error + 'static)) -> String {
     message
 }
 
+/// [`Error::Invalid`] of a file, or of a value in it.
+///
+/// # Errors
+/// Always.
+pub fn invalid<T>(origin: impl AsRef<Path>, reason: impl Into<String>) -> Result<T> {
+    Err(Error::Invalid { origin: origin.as_ref().to_owned(), reason: reason.into() })
+}
+
+/// [`Error::Invalid`] of what a user has asked for.
+///
+/// # Errors
+/// Always.
+pub fn refuse<T>(reason: impl Into<String>) -> Result<T> {
+    invalid(IN_MEMORY, reason)
+}
+
+/// [`Error::Argument`].
+///
+/// # Errors
+/// Always.
+pub fn argument<T>(reason: impl Into<String>) -> Result<T> {
+    Err(Error::Argument { reason: reason.into() })
+}
+
 impl Error {
     /// Whether the host or the device ran out of memory.
     #[must_use]
     pub fn is_out_of_memory(&self) -> bool {
         matches!(self, Self::Device(DeviceError::OutOfMemory { .. }))
+    }
+
+    /// The same error, of a value that a file holds. An error that names a file already stays as it is.
+    #[must_use]
+    pub fn in_file(mut self, file: &Path) -> Self {
+        if let Self::Tensor { origin, .. }
+        | Self::BadConfig { origin, .. }
+        | Self::Invalid { origin, .. }
+        | Self::Camera { origin, .. }
+        | Self::Tile { origin, .. } = &mut self
+            && origin == Path::new(IN_MEMORY)
+        {
+            *origin = file.to_owned();
+        }
+        self
     }
 
     /// A failure to read `path`.

@@ -4,7 +4,7 @@ use half::f16;
 use half::slice::HalfFloatSliceExt;
 use organza_shaders::hash_grid_half::MAX_HALF;
 
-use crate::error::{Error, IN_MEMORY, Result};
+use crate::error::{IN_MEMORY, Result, invalid};
 
 /// Rounds each value to the nearest half, or to zero below 2^-14, where drivers may flush to zero.
 pub fn halves(values: &[f32]) -> Vec<f16> {
@@ -18,13 +18,15 @@ pub fn halves(values: &[f32]) -> Vec<f16> {
 /// `[entries, ceil(features / 2)]`: each value rounded to the nearest half, or to zero below 2^-14.
 ///
 /// # Errors
-/// [`Error::Invalid`] if a value is too large for a half.
+/// [`Error::Invalid`](crate::Error::Invalid) if a value is too large for a half.
 pub fn pack_halves(table: &[f32], features: usize, name: &str) -> Result<Vec<u32>> {
     if let Some(value) = table.iter().find(|value| value.abs() > MAX_HALF) {
-        let reason = format!(
-            "`{name}` has the value {value}, but halves end at {MAX_HALF}; leave out `--half-grids`"
+        return invalid(
+            IN_MEMORY,
+            format!(
+                "`{name}` has the value {value}, but halves end at {MAX_HALF}; leave out `--half-grids`"
+            ),
         );
-        return Err(Error::Invalid { origin: IN_MEMORY.into(), reason });
     }
     let entries = halves(table);
     Ok(entries.chunks(features).flat_map(|entry| entry.chunks(2).map(word)).collect())

@@ -14,7 +14,8 @@ pub use channel::{ChannelFormat, ChannelImage, PNG_DEPTH_SCALE};
 use png::{BitDepth, ColorType};
 use rayon::prelude::*;
 
-use crate::{Error, RenderedTiles, Result, Tile, TileBatch, write_atomic};
+use crate::error::argument;
+use crate::{RenderedTiles, Result, Tile, TileBatch, write_atomic};
 use muslin_error::memory;
 
 /// Side of the tiles that a whole image is cut into, in pixels. No image depends on it.
@@ -100,18 +101,17 @@ impl Image {
     /// ignored.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the tiles do not belong to the batch.
+    /// [`Error::Argument`](crate::Error::Argument) if the tiles do not belong to the batch.
     pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
         let side = batch.side as usize;
         let values = batch.output_shape().iter().product::<usize>();
         if tiles.side != batch.side || tiles.data.len() != values {
-            let reason = format!(
+            return argument(format!(
                 "{} tiles of side {} do not belong to a batch of {} tiles of side {side}",
                 tiles.count,
                 tiles.side,
                 batch.tiles.len()
-            );
-            return Err(Error::Argument { reason });
+            ));
         }
         visible_pixels(batch, self.size(), |tile, at, place| {
             let color = tiles.rgb(tile, at % side, at / side);
@@ -191,7 +191,7 @@ impl Image {
     /// Writes the image as PNG, atomically.
     ///
     /// # Errors
-    /// [`Error::WriteFile`].
+    /// [`Error::WriteFile`](crate::Error::WriteFile).
     pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
         write_atomic(path, |writer| writer.write_all(&self.encode_png()?))
     }
@@ -199,7 +199,7 @@ impl Image {
     /// Writes the image as PNG, atomically. `stop` ends the encoding, which is then an error.
     ///
     /// # Errors
-    /// [`Error::WriteFile`].
+    /// [`Error::WriteFile`](crate::Error::WriteFile).
     pub fn save_png_unless(&self, path: &Path, stop: &AtomicBool) -> Result<()> {
         write_atomic(path, |writer| writer.write_all(&self.encode(Some(stop))?))
     }

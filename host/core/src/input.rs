@@ -10,7 +10,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::error::{Error, Result, format_bytes};
+use crate::error::{Error, Result, format_bytes, invalid};
 use muslin_error::memory;
 
 /// Largest JSON file, in bytes. No camera or tile list needs more; a larger file was named by mistake.
@@ -56,10 +56,12 @@ pub fn read_file(path: &Path, limit: u64, what: &str) -> Result<Vec<u8>> {
     if length > limit {
         let length = format_bytes(length);
         let limit = format_bytes(limit);
-        let reason = format!(
-            "the file has {length}, too large for {what} (limit {limit}): is it the right file?"
+        return invalid(
+            path,
+            format!(
+                "the file has {length}, too large for {what} (limit {limit}): is it the right file?"
+            ),
         );
-        return Err(Error::Invalid { origin: path.to_owned(), reason });
     }
     let mut bytes = memory::reserve(length as usize, what)?;
     // The file may have grown: read no more than was checked.

@@ -17,7 +17,9 @@ mod rendered;
 pub mod scene;
 pub mod tile;
 
-pub use atomic_file::{check_inside, check_writable, remove_leftovers, write_atomic, write_inside};
+pub use atomic_file::{
+    check_folder, check_inside, check_writable, remove_leftovers, write_atomic, write_inside,
+};
 pub use camera::Camera;
 pub use error::{Error, Result};
 pub use hex::hex;

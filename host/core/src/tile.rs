@@ -8,7 +8,7 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::error::{Error, IN_MEMORY, Result, format_bytes};
+use crate::error::{Error, IN_MEMORY, Result, argument, format_bytes, refuse};
 use crate::input::{integer, kind, read_json};
 use crate::{Camera, write_atomic};
 
@@ -68,23 +68,26 @@ impl TileBatch {
 
     /// [`Self::load`] from parsed JSON. Errors name `origin`.
     pub fn parse(file: &Value, origin: &Path) -> Result<Self> {
-        let invalid = |reason| Error::Invalid { origin: origin.to_owned(), reason };
-        let side = file.get("side").ok_or_else(|| invalid("`side` is missing".to_owned()))?;
-        let side = integer(side)
-            .and_then(|side| u32::try_from(side).ok())
-            .ok_or_else(|| invalid(side_range(&side.to_string())))?;
+        Self::from_json(file).map_err(|error| error.in_file(origin))
+    }
+
+    fn from_json(file: &Value) -> Result<Self> {
+        let Some(side) = file.get("side") else { return refuse("`side` is missing") };
+        let Some(side) = integer(side).and_then(|side| u32::try_from(side).ok()) else {
+            return refuse(side_range(&side.to_string()));
+        };
         // Checked before the tiles: a wrong side affects all of them.
-        check_side(side, origin)?;
-        let tiles = file.get("tiles").ok_or_else(|| invalid("`tiles` is missing".to_owned()))?;
-        let tiles = tiles
-            .as_array()
-            .ok_or_else(|| invalid(format!("`tiles` is {}, expected an array", kind(tiles))))?;
+        check_side(side)?;
+        let Some(tiles) = file.get("tiles") else { return refuse("`tiles` is missing") };
+        let Some(tiles) = tiles.as_array() else {
+            return refuse(format!("`tiles` is {}, expected an array", kind(tiles)));
+        };
         let parse = |(index, tile): (usize, &Value)| {
-            parse_tile(tile).map_err(|reason| tile_error(origin, index, reason))
+            parse_tile(tile).map_err(|reason| tile_error(index, reason))
         };
         let tiles = tiles.iter().enumerate().map(parse).collect::<Result<_>>()?;
         let batch = Self { side, tiles };
-        batch.check(origin)?;
+        batch.check()?;
         Ok(batch)
     }
 
@@ -93,7 +96,7 @@ impl TileBatch {
     /// # Errors
     /// [`Error::WriteFile`]; [`Error::Invalid`] and [`Error::Tile`] as [`Self::load`].
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
-        self.check(Path::new(IN_MEMORY))?;
+        self.check()?;
         write_atomic(path, |writer| {
             serde_json::to_writer_pretty(&mut *writer, self)?;
             writer.write_all(b"\n")
@@ -106,8 +109,7 @@ impl TileBatch {
     /// [`Error::Invalid`] if the side, the number of tiles or the size of the output is out of range; [`Error::Tile`]
     /// for the first tile whose origin is out of range or whose camera does not exist.
     pub fn validate(&self, cameras: &[Camera]) -> Result<()> {
-        let origin = Path::new(IN_MEMORY);
-        self.check(origin)?;
+        self.check()?;
         let count = cameras.len();
         match self.tiles.iter().position(|tile| tile.camera >= count) {
             Some(index) => {
@@ -116,7 +118,7 @@ impl TileBatch {
                     0 => format!("asks for camera {camera}, but there are no cameras"),
                     _ => format!("asks for camera {camera}, but cameras are 0 to {}", count - 1),
                 };
-                Err(tile_error(origin, index, reason))
+                Err(tile_error(index, reason))
             }
             None => Ok(()),
         }
@@ -129,16 +131,14 @@ impl TileBatch {
     /// [`Error::Argument`] for an image without pixels; [`Error::Invalid`] if the side or the size of the output is
     /// out of range; [`Error::Tile`] if an origin is out of range.
     pub fn cover(camera: usize, width: u32, height: u32, side: u32) -> Result<Self> {
-        let origin = Path::new(IN_MEMORY);
         if width == 0 || height == 0 {
-            let reason = format!("an image of {width} x {height} pixels has no tiles");
-            return Err(Error::Argument { reason });
+            return argument(format!("an image of {width} x {height} pixels has no tiles"));
         }
-        check_side(side, origin)?;
+        check_side(side)?;
         let columns = width.div_ceil(side);
         let rows = height.div_ceil(side);
         // Check before anything is allocated: tiles of one pixel are as many as the pixels.
-        check_output(u64::from(columns) * u64::from(rows), side, origin)?;
+        check_output(u64::from(columns) * u64::from(rows), side)?;
         let corner =
             |cell: u32| i32::try_from(u64::from(cell) * u64::from(side)).unwrap_or(i32::MAX);
         let tiles = (0..rows)
@@ -146,7 +146,7 @@ impl TileBatch {
             .map(|(row, column)| Tile { camera, origin: [corner(column), corner(row)] })
             .collect();
         let batch = Self { side, tiles };
-        batch.check(origin)?;
+        batch.check()?;
         Ok(batch)
     }
 
@@ -158,28 +158,27 @@ impl TileBatch {
     }
 
     /// Checks everything but the cameras.
-    fn check(&self, origin: &Path) -> Result<()> {
-        check_side(self.side, origin)?;
+    fn check(&self) -> Result<()> {
+        check_side(self.side)?;
         if self.tiles.is_empty() {
-            let reason = "there are no tiles; there is nothing to render".to_owned();
-            return Err(Error::Invalid { origin: origin.to_owned(), reason });
+            return refuse("there are no tiles; there is nothing to render");
         }
-        check_output(self.tiles.len() as u64, self.side, origin)?;
+        check_output(self.tiles.len() as u64, self.side)?;
         for (index, tile) in self.tiles.iter().enumerate() {
             if tile.origin.iter().any(|value| value.unsigned_abs() > MAX_TILE_ORIGIN as u32) {
                 let reason = origin_range(&format!("{:?}", tile.origin));
-                return Err(tile_error(origin, index, reason));
+                return Err(tile_error(index, reason));
             }
         }
         Ok(())
     }
 }
 
-fn check_side(side: u32, origin: &Path) -> Result<()> {
+fn check_side(side: u32) -> Result<()> {
     if (1..=MAX_TILE_SIDE).contains(&side) {
         return Ok(());
     }
-    Err(Error::Invalid { origin: origin.to_owned(), reason: side_range(&side.to_string()) })
+    refuse(side_range(&side.to_string()))
 }
 
 /// Largest number of tiles in one batch, for a side that is not 0.
@@ -187,7 +186,7 @@ pub fn max_tiles(side: u32) -> u64 {
     (MAX_OUTPUT_VALUES - 1) / (CHANNELS * u64::from(side) * u64::from(side))
 }
 
-fn check_output(tiles: u64, side: u32, origin: &Path) -> Result<()> {
+fn check_output(tiles: u64, side: u32) -> Result<()> {
     let max = max_tiles(side);
     if tiles <= max {
         return Ok(());
@@ -195,11 +194,10 @@ fn check_output(tiles: u64, side: u32, origin: &Path) -> Result<()> {
     let per_tile = CHANNELS * u64::from(side) * u64::from(side);
     let bytes = format_bytes(tiles.saturating_mul(per_tile).saturating_mul(4));
     let limit = format_bytes(4 * MAX_OUTPUT_VALUES);
-    let reason = format!(
+    refuse(format!(
         "{tiles} tiles of side {side} make an output of {bytes}; it must be less than {limit}: \
          render at most {max} such tiles at once"
-    );
-    Err(Error::Invalid { origin: origin.to_owned(), reason })
+    ))
 }
 
 fn side_range(found: &str) -> String {
@@ -213,8 +211,8 @@ fn origin_range(found: &str) -> String {
     )
 }
 
-fn tile_error(origin: &Path, tile: usize, reason: String) -> Error {
-    Error::Tile { origin: origin.to_owned(), tile, reason }
+fn tile_error(tile: usize, reason: String) -> Error {
+    Error::Tile { origin: IN_MEMORY.into(), tile, reason }
 }
 
 fn parse_tile(tile: &Value) -> Result<Tile, String> {

@@ -4,10 +4,10 @@
 use std::path::{Path, PathBuf};
 
 use super::decode::Budget;
-use super::find::invalid;
 use super::fingerprint::Digest;
-use super::lens::{Lens, Undistortion};
+use super::lens::{Lens, Projection, Undistortion};
 use super::{Alpha, DatasetOptions, Frame, Photograph, decode};
+use organza_core::error::invalid;
 use organza_core::image::to_8_bit;
 use organza_core::input::read_file;
 use organza_core::memory;
@@ -150,7 +150,7 @@ impl Shot {
         let sample = |x: u32, y: u32| {
             let Some(undistortion) = &undistortion else { return texel(x, y) };
             let [x, y] = undistortion.source([f64::from(x) + 0.5, f64::from(y) + 0.5])?;
-            if self.lens.panorama {
+            if self.lens.projection == Projection::Panorama {
                 // The last column is beside the first, so each is there once more, at the other end.
                 let around = |x: u32, y: u32| texel((x + across - 1) % across, y);
                 return bilinear([x + 1.0, y], [across + 2, down], &around);

@@ -4,9 +4,9 @@ use std::io::Cursor;
 use std::path::Path;
 
 use super::decode::Budget;
-use super::find::{Access, PhotographFile};
+use super::find::PhotographFile;
 use super::transforms::{Photographs, add_frames};
-use super::{DatasetKind, DatasetOptions, Listing, colmap, decode, ply};
+use super::{DatasetOptions, Poses, colmap, decode, ply};
 use organza_core::input::parse_json;
 
 /// The path that errors name.
@@ -27,11 +27,8 @@ pub fn transforms(bytes: &[u8]) {
         },
         size: |_| Ok([64, 48]),
     };
-    let Ok(mut access) = Access::new(Path::new("/"), false) else { return };
-    let mut listing = Listing { kind: DatasetKind::Nerfstudio, ..Listing::default() };
-    let options = DatasetOptions::default();
-    let _ =
-        add_frames(&file, origin(), &mut listing, |_| false, &options, &mut access, &photographs);
+    let Ok(mut poses) = Poses::new(Path::new("/"), &DatasetOptions::default()) else { return };
+    let _ = add_frames(&mut poses, &file, origin(), |_| false, &photographs);
 }
 
 /// Parses each file of a sparse model, binary and text.

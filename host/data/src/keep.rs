@@ -12,7 +12,7 @@ use bytemuck::NoUninit;
 use memmap2::{Mmap, MmapOptions};
 use serde::{Deserialize, Serialize};
 
-use organza_core::error::{Error, Result};
+use organza_core::error::{Error, Result, invalid};
 use organza_core::memory;
 
 /// The storage for photographs while they are used. Their bits do not depend on it.
@@ -80,7 +80,7 @@ impl Store {
     fn within(folder: PathBuf) -> Result<Self> {
         if !folder.is_dir() {
             let reason = "`TMPDIR` names this folder for temporary files, but it does not exist; make it, or let `TMPDIR` name another";
-            return Err(Error::Invalid { origin: folder, reason: reason.to_owned() });
+            return invalid(folder, reason.to_owned());
         }
         let file = tempfile::tempfile_in(&folder).map_err(|e| Error::write(&folder, e))?;
         Ok(Self { folder, file: Mutex::new((file, 0)) })

@@ -11,8 +11,8 @@ use ply_rs_bw::ply::{
     ScalarType,
 };
 
-use super::{Point, invalid};
-use organza_core::error::{Error, Result};
+use super::Point;
+use organza_core::error::{Error, Result, invalid};
 use organza_core::input::open_regular;
 use organza_core::memory;
 

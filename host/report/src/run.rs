@@ -115,7 +115,7 @@ impl Run {
         if self.config.data.path.is_some() { "Photograph" } else { "Rendering" }
     }
 
-    /// Number of steps, including those after the last evaluation.
+    /// Number of all steps, also after the last evaluation.
     #[must_use]
     pub fn last_step(&self) -> u64 {
         self.records.iter().map(Record::step).max().unwrap_or_default()

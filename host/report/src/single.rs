@@ -295,7 +295,7 @@ fn timing_table(rows: &[TimingRow]) -> Markup {
     } } }
 }
 
-/// The settings as in `config.toml`: first those that differ from the defaults.
+/// The settings as in `config.toml`: first the ones that differ from the defaults.
 fn settings(run: &Run) -> Markup {
     let all = run.config.list();
     let defaults = TrainConfig::default().list();

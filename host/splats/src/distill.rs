@@ -6,6 +6,7 @@ use std::ops::RangeInclusive;
 use bytemuck::Zeroable;
 use glam::Vec3;
 use muslin::math::sigmoid;
+use organza_core::error::argument;
 use organza_core::memory;
 use rayon::prelude::*;
 
@@ -15,7 +16,7 @@ use super::sorted_backward::gradient;
 use super::views::between;
 use super::{Splat, VALUES, Views};
 use organza_core::scene::{Scene, logit};
-use organza_core::{Camera, Error, Image, Result, metrics};
+use organza_core::{Camera, Image, Result, metrics};
 use organza_render::{DeviceScene, Renderer};
 
 /// Most pairs of a camera and a Gaussian to which the harmonics are fitted.
@@ -113,7 +114,7 @@ impl Judges {
 }
 
 impl Distilled {
-    /// The PSNR of other Gaussians in the views of [`Self::psnr`], such as those that a file has rounded.
+    /// The PSNR of other Gaussians in the views of [`Self::psnr`], such as Gaussians that a file has rounded.
     #[must_use]
     pub fn psnr_of(&self, splats: &[Splat]) -> f64 {
         self.judges.psnr(splats)
@@ -149,7 +150,7 @@ fn background(scene: &Scene) -> [f32; 3] {
 /// fit.
 ///
 /// # Errors
-/// [`Error::Argument`] without cameras; errors of [`Renderer::render`] and of `progress`.
+/// [`Error::Argument`](organza_core::Error::Argument) without cameras; errors of [`Renderer::render`] and of `progress`.
 pub fn distill(
     renderer: &Renderer,
     scene: &Scene,
@@ -160,7 +161,7 @@ pub fn distill(
 ) -> Result<Distilled> {
     let cameras = &views.fitted;
     if cameras.is_empty() {
-        return Err(Error::Argument { reason: "distilling a scene needs a camera".to_owned() });
+        return argument("distilling a scene needs a camera");
     }
     let background = background(scene);
     let mut splats = first(renderer, scene, uploaded, cameras)?;

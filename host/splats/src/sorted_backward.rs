@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn the_gradient_is_that_of_finite_differences() {
+    fn the_gradient_follows_finite_differences() {
         let splats = many();
         let camera = camera();
         let background = [0.9, 0.5, 0.1];

@@ -10,8 +10,8 @@ use crate::{CHECKPOINT, TrainConfig};
 use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::input::open_regular;
 use organza_core::scene::{
-    Scene, Tensor, TensorRef, TensorSpec, read_metadata, read_tensor, scene_metadata,
-    tensors_to_bytes, write_tensors,
+    Scene, Tensor, TensorSpec, read_metadata, read_tensor, scene_metadata, tensors_to_bytes,
+    write_tensors,
 };
 use serde::{Deserialize, Serialize};
 
@@ -115,7 +115,7 @@ impl Checkpoint {
     /// Writes the file, atomically. With a `binding`, the file records the run's settings and data.
     ///
     /// # Errors
-    /// The same errors as [`Scene::save`]: [`Error::NotFinite`] where training has overflowed.
+    /// The same errors as [`Scene::save`]: [`Error::Tensor`] where training has overflowed.
     pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
         self.with_encoding(binding, |tensors, metadata| write_tensors(path, tensors, metadata))
     }
@@ -128,14 +128,13 @@ impl Checkpoint {
     fn with_encoding<T>(
         &self,
         binding: Option<&Binding>,
-        write: impl FnOnce(&[TensorRef<'_>], &[(&str, &str)]) -> Result<T>,
+        write: impl FnOnce(&[(TensorSpec, &[f32])], &[(&str, &str)]) -> Result<T>,
     ) -> Result<T> {
         self.scene.validate()?;
         self.check(Path::new(IN_MEMORY))?;
         let photographs = self.photograph_tensors();
         let mut tensors = self.scene.tensors();
         tensors.extend(self.beside_scene(&photographs));
-        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.with_data(data)).collect();
         let config = self.scene.config.to_json()?;
         let beside = self.metadata(binding)?;
         let mut metadata = scene_metadata(&config).to_vec();
@@ -229,12 +228,8 @@ impl Checkpoint {
     /// Checks that the tensors beside the scene are possible results of training.
     fn check(&self, origin: &Path) -> Result<()> {
         for (spec, values) in self.beside_scene(&self.photograph_tensors()) {
+            spec.check_finite(values).map_err(|error| error.in_file(origin))?;
             let tensor = spec.name;
-            if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-                let origin = origin.to_owned();
-                let value = values[index];
-                return Err(Error::NotFinite { origin, tensor, index, value });
-            }
             // means of squares: the optimizer takes their roots
             let is_square = tensor.starts_with(MOMENTS[1]);
             if let Some(index) = values.iter().position(|value| is_square && *value < 0.0) {

@@ -8,9 +8,10 @@ use std::sync::Arc;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use super::message::{MAX_SIDE, check, refuse};
+use super::message::{MAX_SIDE, check};
 use super::training::Stage;
 use organza_core::edit::Region;
+use organza_core::error::refuse;
 use organza_core::image::{ChannelImage, TILE_SIDE};
 use organza_core::scene::{Gaussians, Scene};
 use organza_core::{Camera, Channel, Result, TileBatch, check_writable};

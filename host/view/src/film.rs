@@ -9,6 +9,7 @@ use std::thread;
 
 use serde::{Deserialize, Serialize};
 
+use organza_core::error::{invalid, refuse};
 use organza_core::{Error, Result, write_atomic};
 
 /// The format of a film.
@@ -168,10 +169,7 @@ fn animated_png(frames: &Frames<'_>, output: &Path) -> Result<()> {
     let Frames { files, fps, progress, .. } = *frames;
     let pixels = |frame: &PathBuf| match ::image::open(frame) {
         Ok(image) => Ok(image.into_rgb8()),
-        Err(error) => {
-            let reason = format!("the frame cannot be read again: {error}");
-            Err(Error::Invalid { origin: frame.clone(), reason })
-        }
+        Err(error) => invalid(frame, format!("the frame cannot be read again: {error}")),
     };
     let (width, height) = pixels(&files[0])?.dimensions();
     // an error about a frame is not an error of writing
@@ -197,10 +195,6 @@ fn animated_png(frames: &Frames<'_>, output: &Path) -> Result<()> {
         Ok(writer.finish()?)
     });
     failed.map_or(written, Err)
-}
-
-fn refuse<T>(reason: impl Into<String>) -> Result<T> {
-    Err(Error::Invalid { origin: PathBuf::new(), reason: reason.into() })
 }
 
 #[cfg(test)]

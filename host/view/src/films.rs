@@ -16,11 +16,11 @@ use serde_json::{Value, json};
 use tokio::sync::oneshot;
 
 use super::keyframes::PathRequest;
-use super::message::{FrameRequest, Mode, Quality, checked_background, refuse};
+use super::message::{FrameRequest, Mode, Quality, checked_background};
 use super::queue::{FrameJob, Queue};
 use crate::film::{FilmKind, Frames};
 use organza_core::camera::Camera;
-use organza_core::error::{self, Result};
+use organza_core::error::{self, Result, refuse};
 
 /// Largest frame rate, in frames per second.
 const MAX_FPS: u32 = 240;
@@ -46,14 +46,14 @@ impl FilmRequest {
             return refuse(format!("a film has 1 to {MAX_FPS} frames a second"));
         }
         if self.kind == FilmKind::Frames {
-            return refuse("a film is an `mp4` or a `png`".to_owned());
+            return refuse("a film is an `mp4` or a `png`");
         }
         if self.mode == Mode::Error {
-            return refuse("a film has no photographs to compare with".to_owned());
+            return refuse("a film has no photographs to compare with");
         }
         checked_background(self.background)?;
         let cameras = self.path.cameras(self.kind == FilmKind::Mp4)?;
-        let Some(first) = cameras.first() else { return refuse("a film has frames".to_owned()) };
+        let Some(first) = cameras.first() else { return refuse("a film has frames") };
         self.kind.check([first.width, first.height])?;
         Ok(cameras)
     }

@@ -7,11 +7,11 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::message::{FrameRequest, Mode, Quality, refuse};
+use super::message::{FrameRequest, Mode, Quality};
 use super::picture::{self, Range};
 use super::queue::{FrameJob, NextJob, Payload, Question, Queue};
 use crate::{Editor, Photographs, Stage};
-use organza_core::error::{self, Result};
+use organza_core::error::{self, Result, refuse};
 use organza_core::image::{ChannelImage, Image, TILE_SIDE, to_8_bit};
 use organza_core::{Camera, RenderReport, TileBatch};
 use organza_data::Photograph;
@@ -91,7 +91,7 @@ impl FrameRenderer {
         let begin = Instant::now();
         let truth = match (job.request.mode, job.request.view) {
             (Mode::Error, Some(view)) => Some(self.photographs.get(stage.renderer, view)?),
-            (Mode::Error, None) => return refuse("an error needs a photograph".to_owned()),
+            (Mode::Error, None) => return refuse("an error needs a photograph"),
             _ => None,
         };
         let queue = Arc::clone(&self.queue);
@@ -167,7 +167,7 @@ impl FrameRenderer {
             }
             Question::Edit(request) => {
                 let Some(editor) = &mut self.editor else {
-                    return refuse("the scene is not edited: begin with `--edit FILE`".to_owned());
+                    return refuse("the scene is not edited: begin with `--edit FILE`");
                 };
                 let bytes = editor.answer(stage, request)?;
                 Ok(rendered_as("application/json", bytes, &json!({})))

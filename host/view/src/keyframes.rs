@@ -5,9 +5,9 @@ use std::path::Path;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::message::{check, refuse};
+use super::message::check;
 use organza_core::camera::{Camera, CameraPath, encode, parse};
-use organza_core::error::Result;
+use organza_core::error::{Result, refuse};
 use organza_core::scene::Placement;
 
 /// Most keyframes in a file.
@@ -36,7 +36,7 @@ impl PathRequest {
             ));
         }
         keyframes.iter().try_for_each(check)?;
-        let Some(first) = keyframes.first() else { return refuse("a path has keyframes".into()) };
+        let Some(first) = keyframes.first() else { return refuse("a path has keyframes") };
         let size = [first.width, first.height];
         let size = if is_even { size.map(|side| side.next_multiple_of(2)) } else { size };
         let keyframes: Vec<_> = keyframes.iter().map(|camera| camera.with_size(size)).collect();

@@ -1,10 +1,9 @@
 //! Requests of the page.
 
-use std::path::Path;
-
 use serde::{Deserialize, Serialize};
 
-use organza_core::{Camera, Error, Result};
+use organza_core::error::refuse;
+use organza_core::{Camera, Result};
 
 /// Largest side of an image, in pixels.
 pub const MAX_SIDE: u32 = 4096;
@@ -92,10 +91,5 @@ pub fn checked_background(background: Option<[f64; 3]>) -> Result<()> {
     if background.is_none_or(|color| color.iter().all(|value| (0.0..=1.0).contains(value))) {
         return Ok(());
     }
-    refuse("a background has red, green and blue of 0 to 1".to_owned())
-}
-
-/// An error about a request.
-pub fn refuse<T>(reason: String) -> Result<T> {
-    Err(Error::Invalid { origin: Path::new("").to_owned(), reason })
+    refuse("a background has red, green and blue of 0 to 1")
 }

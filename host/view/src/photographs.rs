@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::sync::Arc;
 
-use super::message::refuse;
+use organza_core::error::refuse;
 use organza_core::{Camera, Result, demo};
 use organza_data::{Dataset, Photograph, Poses};
 use organza_render::{DeviceScene, Renderer};

@@ -233,10 +233,10 @@ fn settings_that_are_no_files_are_refused() {
 fn gradients_that_overflow_are_refused() {
     let sandbox = sandbox();
     let side = sandbox.run("info tiles.json --json").json()["side"].as_u64().unwrap() as usize;
-    let shape = [4, 3, side, side];
+    let shape = vec![4, 3, side, side];
     let values = vec![3.4e38_f32; shape.iter().product()];
-    let tensor = organza::scene::TensorRef { name: "grad_tiles", shape: &shape, data: &values };
-    organza::scene::write_tensors(sandbox.path("g.safetensors"), &[tensor], &[]).unwrap();
+    let spec = organza::scene::TensorSpec { name: "grad_tiles".to_owned(), shape, why: "" };
+    organza::scene::write_tensors(sandbox.path("g.safetensors"), &[(spec, &values)], &[]).unwrap();
     let words = "tiles scene.safetensors cameras.json tiles.json --backend cpu \
                  --grad-tiles g.safetensors --grad out.safetensors";
     let outcome = sandbox.run(words);

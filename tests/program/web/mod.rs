@@ -78,7 +78,7 @@ fn played(page: &mut Page, camera: &Camera, steps: u16) -> (Vec<f32>, [u64; 3], 
 /// the number of plans that were too small.
 fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u64 {
     let cpu = Renderer::new(devices::cpu(None));
-    let scene = cpu.upload_with(scene, UploadOptions::default().half_grids(true)).expect("memory");
+    let scene = cpu.upload_with(scene, UploadOptions { half_grids: true }).expect("memory");
     let batch = TileBatch::cover(0, camera.width, camera.height, SIDE).expect("tiles");
     let options = EyeOptions {
         channels: &[],

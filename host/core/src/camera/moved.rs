@@ -101,7 +101,7 @@ mod tests {
 
     /// The loss is linear in the place as the camera sees it.
     #[test]
-    fn a_gradient_is_that_of_the_rotation_vector() {
+    fn a_gradient_by_a_small_turn_becomes_one_by_the_rotation_vector() {
         let t = DVec3::new(0.4, -0.3, 3.0);
         let slope = DVec3::new(0.2, 0.7, -0.1);
         for w in [[0.0; 3], [1e-3, 2e-3, -1e-3], [0.02, -0.01, 0.03], [0.9, -0.4, 0.3]] {

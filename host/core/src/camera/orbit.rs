@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use glam::{DMat3, DVec3};
 
 use super::{Camera, Target, median};
-use crate::error::{Error, Result};
+use crate::error::{Result, argument};
 
 /// Horizontal field of view of [`Orbit::from_box`], in radians.
 const ANGLE: f64 = 0.7;
@@ -61,10 +61,10 @@ impl Orbit {
     /// elevation. It starts where the first camera stands, with its image size and field of view.
     ///
     /// # Errors
-    /// [`Error::Argument`] without cameras.
+    /// [`Error::Argument`](crate::Error::Argument) without cameras.
     pub fn around(cameras: &[Camera]) -> Result<Self> {
         let Some(first) = cameras.first() else {
-            return Err(Error::Argument { reason: "an orbit needs a camera".to_owned() });
+            return argument("an orbit needs a camera");
         };
         let center = Target::from_cameras(cameras).center;
         let up = upward(cameras.iter());
@@ -90,7 +90,8 @@ impl Orbit {
     /// Distance and elevation follow the cameras on the same side.
     ///
     /// # Errors
-    /// [`Error::Argument`] without cameras; [`Error::Camera`] as [`Camera::look_at`].
+    /// [`Error::Argument`](crate::Error::Argument) without cameras; [`Error::Camera`](crate::Error::Camera) as
+    /// [`Camera::look_at`].
     pub fn among(cameras: &[Camera], count: usize) -> Result<Vec<Camera>> {
         let orbit = Self::around(cameras)?;
         let center = DVec3::from(orbit.center);
@@ -143,16 +144,17 @@ impl Orbit {
     /// `count` cameras at equal intervals, once around, counterclockwise as seen from above.
     ///
     /// # Errors
-    /// [`Error::Argument`] if `up` is zero or `toward` lies along it; [`Error::Camera`] as [`Camera::look_at`].
+    /// [`Error::Argument`](crate::Error::Argument) if `up` is zero or `toward` lies along it;
+    /// [`Error::Camera`](crate::Error::Camera) as [`Camera::look_at`].
     pub fn cameras(&self, count: usize) -> Result<Vec<Camera>> {
         let up = DVec3::from(self.up).normalize_or_zero();
         let ahead = DVec3::from(self.toward).reject_from(DVec3::from(self.up)).normalize_or_zero();
         if !(up.is_finite() && ahead.is_finite()) || up == DVec3::ZERO || ahead == DVec3::ZERO {
             let up = self.up;
             let toward = self.toward;
-            let reason =
-                format!("no circle has the axis {up:?} and begins toward {toward:?} of its center");
-            return Err(Error::Argument { reason });
+            return argument(format!(
+                "no circle has the axis {up:?} and begins toward {toward:?} of its center"
+            ));
         }
         let aside = up.cross(ahead);
         let camera = |index| self.camera(TAU * index as f64 / count as f64, [ahead, aside, up]);

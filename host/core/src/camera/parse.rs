@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 use serde_json::Value;
 
 use super::{Camera, MAX_IMAGE_SIDE, ORTHONORMAL_TOLERANCE, camera_error};
-use crate::error::{Error, Result};
+use crate::error::{Result, invalid};
 use crate::input::{integer, kind};
 
 /// Camera models that are pinholes if their coefficients are zero. A fisheye model is not.
@@ -36,20 +36,20 @@ pub fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {
 
 /// The frames of a file's JSON, at least one.
 pub fn frames<'a>(file: &'a Value, origin: &Path) -> Result<&'a [Value]> {
-    let invalid = |reason: String| Err(Error::Invalid { origin: origin.to_owned(), reason });
     let frames = match file.get("frames") {
         Some(Value::Array(frames)) => frames,
-        Some(other) => return invalid(format!("`frames` is {}, expected an array", kind(other))),
+        Some(other) => {
+            return invalid(origin, format!("`frames` is {}, expected an array", kind(other)));
+        }
         None => {
             return invalid(
-                "`frames` is missing; expected nerfstudio's transforms.json with one frame per \
-                 camera"
-                    .to_owned(),
+                origin,
+                "`frames` is missing; expected nerfstudio's transforms.json with one frame per camera",
             );
         }
     };
     if frames.is_empty() {
-        return invalid("`frames` is empty; there is no camera to render from".to_owned());
+        return invalid(origin, "`frames` is empty; there is no camera to render from");
     }
     Ok(frames)
 }
@@ -99,9 +99,8 @@ pub struct Source<'a> {
 impl Source<'_> {
     /// The frame's camera. Errors name `index` and `origin`.
     pub fn valid_camera(&self, index: usize, origin: &Path) -> Result<Camera> {
-        let camera = self.camera().map_err(|reason| camera_error(origin, index, reason))?;
-        camera.validate_at(index, origin)?;
-        Ok(camera)
+        let valid = self.camera().and_then(|camera| camera.check().map(|()| camera));
+        valid.map_err(|reason| camera_error(origin, index, reason))
     }
 
     fn camera(&self) -> Result<Camera, String> {

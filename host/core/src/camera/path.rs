@@ -3,7 +3,7 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::{Camera, Target};
-use crate::error::{Error, Result};
+use crate::error::{Result, argument};
 
 /// Shortest time between two keys, as a fraction of the mean. With it, two equal keys make the camera stop and not
 /// jump.
@@ -52,8 +52,8 @@ impl CameraPath {
     /// leads from the last key back to the first.
     ///
     /// # Errors
-    /// [`Error::Argument`] for fewer than two keys, or if sizes differ; [`Error::Camera`] for the first key that is
-    /// not valid.
+    /// [`Error::Argument`](crate::Error::Argument) for fewer than two keys, or if sizes differ;
+    /// [`Error::Camera`](crate::Error::Camera) for the first key that is not valid.
     pub fn through(keys: &[Camera], is_closed: bool) -> Result<Self> {
         let size = |camera: &Camera| [camera.width, camera.height];
         let (first, others) = match keys {
@@ -283,10 +283,6 @@ fn tangents(rates: &[Motion], spans: &[f64], is_closed: bool) -> Vec<Motion> {
     let first = end(&rates[0], &between[0]);
     let final_one = end(&rates[last], &between[last - 1]);
     std::iter::once(first).chain(between).chain([final_one]).collect()
-}
-
-fn argument<T>(reason: String) -> Result<T> {
-    Err(Error::Argument { reason })
 }
 
 #[cfg(test)]

@@ -7,7 +7,6 @@
 //! `q = n.h - |h|`, which is 0 where n points along h and negative elsewhere: about `-|h| angle^2 / 2`.
 //!
 //! - v is linear in the spherical harmonics of degree 1.
-//! - v is linear in the spherical harmonics of degree 1.
 //! - `n.v = |n + v|^2 / 2 - 1` needs three squares, and a square is a spline of ReLUs. So a network that cannot
 //!   multiply multiplies all the same.
 //! - `|h| = sqrt(2 - 2 l.v)` is one more spline.

@@ -7,7 +7,8 @@ use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, SmallVec, Wri
 use png::{BitDepth, ColorType};
 
 use super::{Image, Pixels, to_8_bit, visible_pixels};
-use crate::{Channel, Error, RenderedTiles, Result, TileBatch, write_atomic};
+use crate::error::argument;
+use crate::{Channel, RenderedTiles, Result, TileBatch, write_atomic};
 use muslin_error::memory;
 
 /// Default levels of a 16-bit PNG for one unit of depth. A level is a thousandth, as in the depth images that
@@ -91,7 +92,7 @@ impl ChannelImage {
     /// Copies a rendered channel to the places of its tiles in `batch`. Parts beyond the edge are cut off.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the tiles do not belong to the batch, or do not have the channel.
+    /// [`Error::Argument`](crate::Error::Argument) if the tiles do not belong to the batch, or do not have the channel.
     pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
         let area = (batch.side * batch.side) as usize;
         let planes = self.channel.planes();
@@ -99,8 +100,9 @@ impl ChannelImage {
         let rendered = rendered.filter(|values| values.len() == batch.tiles.len() * planes * area);
         let Some(rendered) = rendered else {
             let name = self.channel.name();
-            let reason = format!("the rendered tiles do not have the channel {name} of this batch");
-            return Err(Error::Argument { reason });
+            return argument(format!(
+                "the rendered tiles do not have the channel {name} of this batch"
+            ));
         };
         let pixels = self.size[0] as usize * self.size[1] as usize;
         visible_pixels(batch, self.size, |tile, at, place| {
@@ -136,7 +138,7 @@ impl ChannelImage {
     /// - EXR: the exact values, as `Y`, or as `R`, `G`, `B` of a normal.
     ///
     /// # Errors
-    /// [`Error::WriteFile`].
+    /// [`Error::WriteFile`](crate::Error::WriteFile).
     pub fn save(&self, path: impl AsRef<Path>, format: ChannelFormat) -> Result<()> {
         write_atomic(path, |writer| {
             writer.write_all(&match format {

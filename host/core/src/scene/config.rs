@@ -5,7 +5,7 @@ use std::path::Path;
 pub use organza_shaders::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR};
 use serde::{Deserialize, Serialize};
 
-use super::grid::{GridConfig, Problem};
+use super::grid::GridConfig;
 use super::placement::Placement;
 use crate::error::{Error, IN_MEMORY, Result};
 
@@ -116,7 +116,7 @@ impl SceneConfig {
             };
             Error::json(origin, what, text.as_bytes(), &error)
         })?;
-        config.validate_at(origin)?;
+        config.validate().map_err(|error| error.in_file(origin))?;
         Ok(config)
     }
 
@@ -162,22 +162,15 @@ impl SceneConfig {
     /// # Errors
     /// [`Error::BadConfig`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
-        self.validate_at(Path::new(IN_MEMORY))
-    }
-
-    pub(super) fn validate_at(&self, origin: &Path) -> Result<()> {
-        self.check().map_err(|problem| problem.at(origin))
-    }
-
-    fn check(&self) -> Result<(), Problem> {
         if self.sh_degree > MAX_SH_DEGREE {
-            let reason = format!("is {}, expected 0 to {MAX_SH_DEGREE}", self.sh_degree);
-            return Err(Problem::new("sh_degree", reason));
+            return bad_config(
+                "sh_degree",
+                format!("is {}, expected 0 to {MAX_SH_DEGREE}", self.sh_degree),
+            );
         }
         for (field, length) in self.vector_lengths() {
             if length > MAX_VECTOR {
-                let reason = format!("is {length}, expected 0 to {MAX_VECTOR}");
-                return Err(Problem::new(field, reason));
+                return bad_config(field, format!("is {length}, expected 0 to {MAX_VECTOR}"));
             }
         }
         self.color_grid.check("color_grid")?;
@@ -186,22 +179,28 @@ impl SceneConfig {
         self.transmittance_mlp.check("transmittance_mlp")?;
         self.check_step()?;
         if self.occupancy > MAX_OCCUPANCY {
-            let reason = format!("is {}, expected 0 to {MAX_OCCUPANCY}", self.occupancy);
-            return Err(Problem::new("occupancy", reason));
+            return bad_config(
+                "occupancy",
+                format!("is {}, expected 0 to {MAX_OCCUPANCY}", self.occupancy),
+            );
         }
         if !(self.blur >= 0.0 && fits_f32(self.blur)) {
-            let reason = format!("is {}, expected a finite number of at least 0", self.blur);
-            return Err(Problem::new("blur", reason));
+            return bad_config(
+                "blur",
+                format!("is {}, expected a finite number of at least 0", self.blur),
+            );
         }
         if !self.background.into_iter().all(fits_f32) {
-            let reason = format!("is {:?}, expected three finite numbers", self.background);
-            return Err(Problem::new("background", reason));
+            return bad_config(
+                "background",
+                format!("is {:?}, expected three finite numbers", self.background),
+            );
         }
         self.check_aabb()?;
         self.placement.check()
     }
 
-    fn check_step(&self) -> Result<(), Problem> {
+    fn check_step(&self) -> Result<()> {
         // The comparison must fail for NaN too.
         let allowed = self.step > 0.0
             && fits_f32(self.step)
@@ -210,27 +209,32 @@ impl SceneConfig {
             return Ok(());
         }
         let smallest = DIAGONAL / f64::from(MAX_SAMPLES);
-        let reason = format!(
-            "is {}, expected a finite number of at least {smallest:.4e}: a ray across the unit \
+        bad_config(
+            "step",
+            format!(
+                "is {}, expected a finite number of at least {smallest:.4e}: a ray across the unit \
              cube may take at most {MAX_SAMPLES} samples, ceil(sqrt(3) / step)",
-            self.step
-        );
-        Err(Problem::new("step", reason))
+                self.step
+            ),
+        )
     }
 
-    fn check_aabb(&self) -> Result<(), Problem> {
+    fn check_aabb(&self) -> Result<()> {
         let [lo, hi] = self.aabb;
         for (axis, (lo, hi)) in lo.into_iter().zip(hi).enumerate() {
             let axis = ["x", "y", "z"][axis];
             if !(fits_f32(lo) && fits_f32(hi)) {
-                let reason = format!("spans {lo} to {hi} in {axis}, expected finite numbers");
-                return Err(Problem::new("aabb", reason));
+                return bad_config(
+                    "aabb",
+                    format!("spans {lo} to {hi} in {axis}, expected finite numbers"),
+                );
             }
             // In f32, as the kernels see it: a thinner box would divide by zero there.
             if !(lo < hi && ((hi - lo) as f32).is_normal()) {
-                let reason =
-                    format!("spans {lo} to {hi} in {axis}, expected lo < hi on every axis");
-                return Err(Problem::new("aabb", reason));
+                return bad_config(
+                    "aabb",
+                    format!("spans {lo} to {hi} in {axis}, expected lo < hi on every axis"),
+                );
             }
         }
         Ok(())
@@ -243,21 +247,28 @@ impl MlpConfig {
         std::iter::once(inputs).chain(hidden).chain([outputs]).collect()
     }
 
-    fn check(&self, name: &str) -> Result<(), Problem> {
+    fn check(&self, name: &str) -> Result<()> {
         let field = format!("{name}.hidden");
         let layers = self.hidden.len();
         if !(1..=MAX_HIDDEN_LAYERS).contains(&layers) {
-            let reason = format!("has {layers} layers, expected 1 to {MAX_HIDDEN_LAYERS}");
-            return Err(Problem { field, reason });
+            return bad_config(
+                field,
+                format!("has {layers} layers, expected 1 to {MAX_HIDDEN_LAYERS}"),
+            );
         }
         match self.hidden.iter().find(|width| !(1..=MAX_HIDDEN_WIDTH).contains(*width)) {
-            Some(width) => {
-                let reason = format!("has a layer {width} wide, expected 1 to {MAX_HIDDEN_WIDTH}");
-                Err(Problem { field, reason })
-            }
+            Some(width) => bad_config(
+                field,
+                format!("has a layer {width} wide, expected 1 to {MAX_HIDDEN_WIDTH}"),
+            ),
             None => Ok(()),
         }
     }
+}
+
+/// The error of a field that is out of range.
+pub(super) fn bad_config<T>(field: impl Into<String>, reason: String) -> Result<T> {
+    Err(Error::BadConfig { origin: IN_MEMORY.into(), field: field.into(), reason })
 }
 
 /// Whether the kernels, which compute in f32, can represent a number.

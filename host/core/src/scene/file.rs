@@ -6,9 +6,9 @@ use std::path::Path;
 
 use super::Scene;
 use super::config::SceneConfig;
-use super::tensor_file::{Header, TensorRef, tensors_to_bytes, write_tensors};
+use super::tensor_file::{Header, tensors_to_bytes, write_tensors};
 use super::tensors::TensorSpec;
-use super::validate::check_sizes;
+use super::validate::{check_sizes, no_gaussians};
 use crate::error::{Error, Result};
 use crate::input::open_regular;
 use muslin_error::memory;
@@ -23,10 +23,9 @@ impl Scene {
     /// [`Self::unused_tensors`].
     ///
     /// # Errors
-    /// One for each kind of problem: [`Error::ReadFile`], [`Error::BadSafetensors`], [`Error::WrongFormat`],
-    /// [`Error::UnknownVersion`], [`Error::BadJson`], [`Error::BadConfig`], [`Error::EmptyScene`],
-    /// [`Error::MissingTensor`], [`Error::WrongDtype`], [`Error::WrongShape`], [`Error::TooManyValues`],
-    /// [`Error::NotFinite`]. All but the last are found before any tensor is read.
+    /// [`Error::ReadFile`]; [`Error::BadSafetensors`]; [`Error::WrongFormat`]; [`Error::UnknownVersion`];
+    /// [`Error::BadJson`]; [`Error::BadConfig`]; [`Error::Invalid`] without Gaussians; [`Error::Tensor`]. All but a value that
+    /// is not finite is found before any tensor is read.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let (file, length) = open_regular(path)?;
@@ -66,7 +65,8 @@ impl Scene {
             let why = "a row for each Gaussian";
             check_declared(&header, &TensorSpec { name: name.to_owned(), shape, why }, origin)?;
         }
-        check_sizes(config.tensors(gaussians).iter(), origin)?;
+        let in_file = |error: Error| error.in_file(origin);
+        check_sizes(config.tensors(gaussians).iter()).map_err(in_file)?;
         // every tensor allocated here is declared in the file, so no header can request more memory than the file is long
         let mut scene = Self::zeros(config, gaussians)?;
         let mut more = prefixes.map(|_| scene.clone());
@@ -83,7 +83,7 @@ impl Scene {
             targets.insert(name.to_owned(), &mut rows);
         }
         header.read_wanted(reader, targets, origin)?;
-        scene.validate_at(origin)?;
+        scene.validate().map_err(in_file)?;
         Ok((scene, more, rows))
     }
 
@@ -131,13 +131,11 @@ impl Scene {
 
     fn with_encoding<T>(
         &self,
-        write: impl FnOnce(&[TensorRef<'_>], &[(&str, &str)]) -> Result<T>,
+        write: impl FnOnce(&[(TensorSpec, &[f32])], &[(&str, &str)]) -> Result<T>,
     ) -> Result<T> {
         self.validate()?;
-        let tensors = self.tensors();
-        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.with_data(data)).collect();
         let config = self.config.to_json()?;
-        write(&tensors, &scene_metadata(&config))
+        write(&self.tensors(), &scene_metadata(&config))
     }
 }
 
@@ -147,7 +145,7 @@ pub fn scene_metadata(config: &str) -> [(&'static str, &str); 3] {
 }
 
 /// Reads format, version and configuration, in that order: a later version may have another configuration.
-pub(super) fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig> {
+fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig> {
     let quoted =
         |found: Option<&str>| found.map_or("missing".to_owned(), |text| format!("{text:?}"));
     let format = header.metadata("format");
@@ -167,14 +165,10 @@ pub(super) fn read_config(header: &Header, origin: &Path) -> Result<SceneConfig>
 }
 
 /// N, the only size that the configuration does not contain.
-pub(super) fn count_gaussians(
-    header: &Header,
-    config: &SceneConfig,
-    origin: &Path,
-) -> Result<usize> {
+fn count_gaussians(header: &Header, config: &SceneConfig, origin: &Path) -> Result<usize> {
     let first = |gaussians| config.tensors(gaussians).swap_remove(0);
     match header.shape(&first(1).name) {
-        Some([0, ..]) => Err(Error::EmptyScene { origin: origin.to_owned() }),
+        Some([0, ..]) => no_gaussians().map_err(|error: Error| error.in_file(origin)),
         Some([gaussians, 3]) => Ok(*gaussians),
         // Any count would be wrong for this shape: the common check reports it.
         other => {
@@ -185,11 +179,11 @@ pub(super) fn count_gaussians(
 }
 
 /// Checks that a tensor is in the header, with the right type and shape.
-pub(super) fn check_declared(header: &Header, spec: &TensorSpec, origin: &Path) -> Result<()> {
+fn check_declared(header: &Header, spec: &TensorSpec, origin: &Path) -> Result<()> {
     let found = header.shape(&spec.name);
     // A tensor of vectors without elements may be absent.
     if found.is_some() || spec.values() > 0 {
-        spec.check_shape(found, origin)?;
+        spec.check_shape(found).map_err(|error| error.in_file(origin))?;
     }
     header.require_f32(&spec.name, origin)
 }

@@ -56,8 +56,6 @@ impl Gradient {
                 return Err(Error::Diverged { reason });
             }
         }
-        let tensors = self.0.tensors_with_prefix(PREFIX);
-        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.with_data(data)).collect();
-        write_tensors(path, &tensors, &[])
+        write_tensors(path, &self.0.tensors_with_prefix(PREFIX), &[])
     }
 }

@@ -1,13 +1,12 @@
 //! The multiresolution hash grids: their configuration and the geometry of their levels.
 
-use std::path::Path;
-
 use organza_shaders::hash_grid::GridLevel;
 use organza_shaders::limits::MAX_FEATURES;
 pub use organza_shaders::limits::MAX_LEVELS;
 use serde::{Deserialize, Serialize};
 
-use crate::error::Error;
+use super::config::bad_config;
+use crate::error::Result;
 
 /// Finest resolution of a level: beyond it, an f32 position has no useful fraction left.
 pub const MAX_RESOLUTION: u32 = 1 << 20;
@@ -17,25 +16,6 @@ pub const MAX_LOG2_TABLE: u32 = 24;
 pub const FEATURE_WIDTHS: [u32; 4] = [1, 2, 4, MAX_FEATURES];
 /// Below this the first level's scale is less than -0.5 and a position could land in cell -1.
 const MIN_BASE_RESOLUTION: f64 = 0.5;
-
-/// A field that is out of range, before its file is known.
-#[derive(Debug)]
-pub(super) struct Problem {
-    /// Path of the field in the JSON.
-    pub field: String,
-    /// The value found and the values allowed.
-    pub reason: String,
-}
-
-impl Problem {
-    pub fn new(field: &str, reason: impl Into<String>) -> Self {
-        Self { field: field.to_owned(), reason: reason.into() }
-    }
-
-    pub fn at(self, origin: &Path) -> Error {
-        Error::BadConfig { origin: origin.to_owned(), field: self.field, reason: self.reason }
-    }
-}
 
 /// The configuration of one hash grid, as in a scene's `color_grid` and `transmittance_grid`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -164,9 +144,8 @@ impl GridConfig {
     }
 
     /// Checks every field; `name` is the grid's own field in the scene's configuration.
-    pub(super) fn check(&self, name: &str) -> Result<(), Problem> {
-        let problem =
-            |field: &str, reason| Err(Problem { field: format!("{name}.{field}"), reason });
+    pub(super) fn check(&self, name: &str) -> Result<()> {
+        let problem = |field: &str, reason| bad_config(format!("{name}.{field}"), reason);
         if !(1..=MAX_LEVELS).contains(&self.levels) {
             return problem("levels", format!("is {}, expected 1 to {MAX_LEVELS}", self.levels));
         }
@@ -298,9 +277,9 @@ mod tests {
             let mut grid = grid(4, 11, 8.0, 1.7);
             grid.check("color_grid").unwrap();
             change(&mut grid);
-            let problem = grid.check("color_grid").unwrap_err();
-            assert_eq!(problem.field, format!("color_grid.{field}"));
-            assert!(problem.reason.contains(text), "{}", problem.reason);
+            let error = grid.check("color_grid").unwrap_err().to_string();
+            let start = format!("config field `color_grid.{field}`: ");
+            assert!(error.starts_with(&start) && error.contains(text), "{error}");
         }
     }
 }

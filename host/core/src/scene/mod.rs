@@ -27,8 +27,8 @@ pub use grid::{
 pub use network::{Field, Layer, Network};
 pub use placement::Placement;
 pub use tensor_file::{
-    Tensor, TensorRef, read_metadata, read_tensor, read_tensors, read_tensors_from,
-    tensors_to_bytes, write_tensors,
+    Tensor, read_metadata, read_tensor, read_tensors, read_tensors_from, tensors_to_bytes,
+    write_tensors,
 };
 pub use tensors::{FieldTensors, TensorSpec, Tensors};
 
@@ -88,13 +88,12 @@ impl Scene {
     /// Zero quaternions are not rotations, so such a scene renders as background.
     ///
     /// # Errors
-    /// [`Error::BadConfig`](crate::error::Error::BadConfig);
-    /// [`Error::TooManyValues`](crate::error::Error::TooManyValues) if a tensor would be larger than the kernels can
-    /// address; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    /// [`Error::BadConfig`](crate::error::Error::BadConfig); [`Error::Tensor`](crate::error::Error::Tensor) for one that would
+    /// be larger than the kernels can address; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn zeros(config: SceneConfig, gaussians: usize) -> Result<Self> {
         config.validate()?;
         let specs = config.tensors(gaussians);
-        validate::check_sizes(specs.iter(), crate::error::IN_MEMORY.as_ref())?;
+        validate::check_sizes(specs.iter())?;
         let values: u64 = specs.iter().map(|spec| spec.values() as u64).sum();
         // Checks all tensors together: each alone may fit.
         memory::check(values * size_of::<f32>() as u64, "the scene")?;

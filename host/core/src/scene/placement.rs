@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::grid::Problem;
+use super::config::bad_config;
 use crate::camera::{Camera, Target, median, upward};
 use crate::error::{Error, Result};
 
@@ -101,7 +101,7 @@ impl Placement {
             let reason = format!("it does not say where it lies as organza writes it: {error}");
             Error::Invalid { origin: origin.to_owned(), reason }
         })?;
-        placement.check().map_err(|problem| problem.at(origin))?;
+        placement.check().map_err(|error| error.in_file(origin))?;
         Ok(placement)
     }
 
@@ -179,26 +179,32 @@ impl Placement {
         placed(camera, self.rotation(), self.world(camera.eye()))
     }
 
-    pub(super) fn check(&self) -> Result<(), Problem> {
+    pub(super) fn check(&self) -> Result<()> {
         let Self { offset, scale, up, right, meters } = self;
         if !offset.iter().all(|value| value.is_finite()) {
-            let reason = format!("has the offset {offset:?}, expected finite numbers");
-            return Err(Problem::new("placement", reason));
+            return bad_config(
+                "placement",
+                format!("has the offset {offset:?}, expected finite numbers"),
+            );
         }
         let lengths = [Some(*scale), *meters].into_iter().flatten();
         if let Some(length) = lengths.into_iter().find(|x| !(x.is_normal() && *x > 0.0)) {
-            let reason = format!("has a scale of {length}, expected a positive number");
-            return Err(Problem::new("placement", reason));
+            return bad_config(
+                "placement",
+                format!("has a scale of {length}, expected a positive number"),
+            );
         }
         let rotation = self.rotation();
         let off = rotation.transpose() * rotation - DMat3::IDENTITY;
         // false for NaN
         let is_small = |x: f64| x.abs() <= ORTHONORMAL;
         if !off.to_cols_array().into_iter().all(is_small) {
-            let reason = format!(
-                "has the axes {right:?} (right) and {up:?} (up), expected unit vectors at right angles"
+            return bad_config(
+                "placement",
+                format!(
+                    "has the axes {right:?} (right) and {up:?} (up), expected unit vectors at right angles"
+                ),
             );
-            return Err(Problem::new("placement", reason));
         }
         Ok(())
     }

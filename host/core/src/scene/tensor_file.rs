@@ -7,6 +7,8 @@ use std::path::Path;
 use safetensors::tensor::{Dtype, Metadata, TensorInfo};
 use serde_json::{Map, Value, json};
 
+use super::tensors::TensorSpec;
+use crate::error::argument;
 use crate::input::open_regular;
 use crate::{Error, Result, write_atomic};
 use muslin_error::memory;
@@ -25,22 +27,11 @@ pub struct Tensor {
     pub data: Vec<f32>,
 }
 
-/// A tensor to be written.
-#[derive(Clone, Copy, Debug)]
-pub struct TensorRef<'a> {
-    /// Name, unique in the file.
-    pub name: &'a str,
-    /// Shape, row-major.
-    pub shape: &'a [usize],
-    /// Values, as many as the product of the shape.
-    pub data: &'a [f32],
-}
-
 /// Reads every tensor of a safetensors file. All must be F32.
 ///
 /// # Errors
 /// [`Error::ReadFile`]; [`Error::BadSafetensors`] for a file that is cut short, damaged or of another kind;
-/// [`Error::WrongDtype`]; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+/// [`Error::Tensor`] for another type; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
 pub fn read_tensors(path: impl AsRef<Path>) -> Result<BTreeMap<String, Tensor>> {
     let path = path.as_ref();
     let (file, length) = open_regular(path)?;
@@ -102,7 +93,7 @@ pub fn read_metadata(
 /// [`Error::WriteFile`]; [`Error::Argument`] if a name occurs twice or is empty, or if a shape does not fit its data.
 pub fn write_tensors(
     path: impl AsRef<Path>,
-    tensors: &[TensorRef<'_>],
+    tensors: &[(TensorSpec, &[f32])],
     metadata: &[(&str, &str)],
 ) -> Result<()> {
     let (header, tensors) = encode_tensors(tensors, metadata)?;
@@ -110,7 +101,10 @@ pub fn write_tensors(
 }
 
 /// [`write_tensors`] to memory.
-pub fn tensors_to_bytes(tensors: &[TensorRef<'_>], metadata: &[(&str, &str)]) -> Result<Vec<u8>> {
+pub fn tensors_to_bytes(
+    tensors: &[(TensorSpec, &[f32])],
+    metadata: &[(&str, &str)],
+) -> Result<Vec<u8>> {
     let (header, tensors) = encode_tensors(tensors, metadata)?;
     let mut bytes = Vec::new();
     write_all(&mut bytes, &header, &tensors)
@@ -180,10 +174,10 @@ impl Header {
     /// Fails if the tensor exists and is not F32.
     pub fn require_f32(&self, name: &str, origin: &Path) -> Result<()> {
         match self.header.info(name) {
-            Some(TensorInfo { dtype, .. }) if *dtype != Dtype::F32 => Err(Error::WrongDtype {
+            Some(TensorInfo { dtype, .. }) if *dtype != Dtype::F32 => Err(Error::Tensor {
                 origin: origin.to_owned(),
                 tensor: name.to_owned(),
-                found: format!("{dtype:?}"),
+                reason: format!("is {dtype:?}, expected F32; convert it and save again"),
             }),
             _ => Ok(()),
         }
@@ -223,22 +217,21 @@ fn read_values(reader: &mut impl Read, values: &mut [f32], origin: &Path) -> Res
     Ok(())
 }
 
-/// Returns the header's bytes, length included, and the tensors in the order of their data.
+/// Returns the header's bytes, length included, and the tensors' values in the order of the file.
 fn encode_tensors<'a>(
-    tensors: &[TensorRef<'a>],
+    tensors: &[(TensorSpec, &'a [f32])],
     metadata: &[(&str, &str)],
-) -> Result<(Vec<u8>, Vec<TensorRef<'a>>)> {
-    let mut tensors = tensors.to_vec();
-    tensors.sort_by_key(|tensor| tensor.name);
-    for TensorRef { name, shape, data } in &tensors {
+) -> Result<(Vec<u8>, Vec<&'a [f32]>)> {
+    let mut tensors: Vec<_> = tensors.iter().collect();
+    tensors.sort_by_key(|(spec, _)| &spec.name);
+    for (TensorSpec { name, shape, .. }, data) in &tensors {
         if count(shape) != Some(data.len()) {
             let length = data.len();
-            let reason = format!("tensor `{name}` of shape {shape:?} has {length} values");
-            return Err(Error::Argument { reason });
+            return argument(format!("tensor `{name}` of shape {shape:?} has {length} values"));
         }
     }
-    let shapes: Vec<_> = tensors.iter().map(|tensor| (tensor.name, tensor.shape)).collect();
-    Ok((encode_header(&shapes, metadata)?, tensors))
+    let header = encode_header(tensors.iter().map(|(spec, _)| spec), metadata)?;
+    Ok((header, tensors.into_iter().map(|(_, data)| *data).collect()))
 }
 
 /// The number of values of a shape; `None` on overflow.
@@ -249,8 +242,10 @@ fn count(shape: &[usize]) -> Option<usize> {
 /// Returns the header's bytes, length included, for tensors in the order of their names.
 ///
 /// The safetensors crate writes metadata in an order that changes from run to run, so it cannot be used here.
-fn encode_header(tensors: &[(&str, &[usize])], metadata: &[(&str, &str)]) -> Result<Vec<u8>> {
-    let argument = |reason| Err(Error::Argument { reason });
+fn encode_header<'a>(
+    tensors: impl Iterator<Item = &'a TensorSpec>,
+    metadata: &[(&str, &str)],
+) -> Result<Vec<u8>> {
     let mut header = Map::new();
     let metadata: Map<_, _> =
         metadata.iter().map(|&(key, value)| (key.to_owned(), Value::from(value))).collect();
@@ -258,15 +253,13 @@ fn encode_header(tensors: &[(&str, &[usize])], metadata: &[(&str, &str)]) -> Res
         header.insert("__metadata__".to_owned(), Value::Object(metadata));
     }
     let mut start = 0;
-    for (name, shape) in tensors {
+    for TensorSpec { name, shape, .. } in tensors {
         let bytes = count(shape).and_then(|values| values.checked_mul(size_of::<f32>()));
         let Some(end) = bytes.and_then(|bytes| bytes.checked_add(start)) else {
             return argument(format!("tensor `{name}` of shape {shape:?} is too large"));
         };
         let info = json!({"dtype": "F32", "shape": shape, "data_offsets": [start, end]});
-        if name.is_empty()
-            || *name == "__metadata__"
-            || header.insert((*name).to_owned(), info).is_some()
+        if name.is_empty() || name == "__metadata__" || header.insert(name.clone(), info).is_some()
         {
             return argument(format!("the tensor name `{name}` is empty, reserved or used twice"));
         }
@@ -279,9 +272,9 @@ fn encode_header(tensors: &[(&str, &[usize])], metadata: &[(&str, &str)]) -> Res
     Ok(bytes)
 }
 
-fn write_all(writer: &mut dyn Write, header: &[u8], tensors: &[TensorRef<'_>]) -> io::Result<()> {
+fn write_all(writer: &mut dyn Write, header: &[u8], tensors: &[&[f32]]) -> io::Result<()> {
     writer.write_all(header)?;
-    tensors.iter().try_for_each(|tensor| write_values(writer, tensor.data))
+    tensors.iter().try_for_each(|values| write_values(writer, values))
 }
 
 fn write_values(writer: &mut dyn Write, values: &[f32]) -> io::Result<()> {

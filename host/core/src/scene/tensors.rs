@@ -5,7 +5,6 @@ use std::convert::Infallible;
 use super::config::SceneConfig;
 use super::gaussians::GaussianTensors;
 use super::grid::GridConfig;
-use super::tensor_file::TensorRef;
 
 /// One `T` for each tensor of a scene. All layers of a network are one tensor, as on a device.
 ///
@@ -39,7 +38,7 @@ impl<T> Tensors<T> {
         }
     }
 
-    /// Calls `f` with each tensor's name and value, always in the same order. The names are those in a scene file.
+    /// Calls `f` with each tensor's name and value, always in the same order. The names are as in a scene file.
     /// The networks are `color.mlp` and `transmittance.mlp`.
     ///
     /// # Errors
@@ -128,12 +127,6 @@ pub struct TensorSpec {
 }
 
 impl TensorSpec {
-    /// The tensor with its values, for writing.
-    #[must_use]
-    pub fn with_data<'a>(&'a self, data: &'a [f32]) -> TensorRef<'a> {
-        TensorRef { name: &self.name, shape: &self.shape, data }
-    }
-
     /// Number of values in the tensor.
     #[must_use]
     pub fn values(&self) -> usize {

@@ -5,23 +5,28 @@ use std::path::Path;
 
 use super::tensors::{MAX_VALUES, TensorSpec};
 use super::{Scene, Tensor};
-use crate::error::{Error, IN_MEMORY, Result};
+use crate::error::{Error, IN_MEMORY, Result, refuse};
 
 impl TensorSpec {
     /// Checks the shape that the tensor has in the file `origin`, if it is there.
     ///
     /// # Errors
-    /// [`Error::MissingTensor`]; [`Error::WrongShape`].
-    pub fn check_shape(&self, found: Option<&[usize]>, origin: &Path) -> Result<()> {
-        let Self { name: tensor, shape: expected, why } = self.clone();
-        let origin = origin.to_owned();
-        match found.map(<[usize]>::to_vec) {
-            None => Err(Error::MissingTensor { origin, tensor, expected, why }),
-            Some(found) if found != expected => {
-                Err(Error::WrongShape { origin, tensor, found, expected, why })
-            }
-            Some(_) => Ok(()),
-        }
+    /// [`Error::Tensor`].
+    pub fn check_shape(&self, found: Option<&[usize]>) -> Result<()> {
+        let Self { shape: expected, why, .. } = self;
+        let reason = match found {
+            None => format!("is missing; it should be F32 {expected:?} ({why})"),
+            Some(found) if found == expected => return Ok(()),
+            Some(found) => format!(
+                "has shape {found:?}, expected {expected:?} ({why}); make the tensor and the config agree"
+            ),
+        };
+        self.wrong(reason)
+    }
+
+    /// [`Error::Tensor`] of this tensor.
+    fn wrong<T>(&self, reason: String) -> Result<T> {
+        Err(Error::Tensor { origin: IN_MEMORY.into(), tensor: self.name.clone(), reason })
     }
 
     /// Takes the tensor's values from the `tensors` of the file `origin`.
@@ -30,17 +35,30 @@ impl TensorSpec {
     /// The same errors as [`Self::check_shape`].
     pub fn take(&self, tensors: &mut BTreeMap<String, Tensor>, origin: &Path) -> Result<Vec<f32>> {
         let found = tensors.remove(&self.name);
-        self.check_shape(found.as_ref().map(|found| &found.shape[..]), origin)?;
+        let shape = found.as_ref().map(|found| &found.shape[..]);
+        self.check_shape(shape).map_err(|error| error.in_file(origin))?;
         Ok(found.unwrap_or_default().data)
     }
 
     /// Checks that the number of values is right and that all are finite.
     pub fn check(&self, values: &[f32]) -> Result<()> {
-        let origin = Path::new(IN_MEMORY);
         if values.len() != self.values() {
-            self.check_shape(Some(&[values.len()]), origin)?;
+            self.check_shape(Some(&[values.len()]))?;
         }
-        check_finite(self, values, origin)
+        self.check_finite(values)
+    }
+
+    /// Checks that all values are finite.
+    ///
+    /// # Errors
+    /// [`Error::Tensor`].
+    pub fn check_finite(&self, values: &[f32]) -> Result<()> {
+        let Some(index) = values.iter().position(|value| !value.is_finite()) else { return Ok(()) };
+        let reason = format!(
+            "holds {} at flat index {index}; every value must be finite (did the training diverge?)",
+            values[index]
+        );
+        self.wrong(reason)
     }
 }
 
@@ -49,30 +67,25 @@ impl Scene {
     /// configuration gives it, and that every value is finite.
     ///
     /// # Errors
-    /// [`Error::BadConfig`], [`Error::EmptyScene`], [`Error::WrongShape`], [`Error::TooManyValues`] or
-    /// [`Error::NotFinite`], for the first problem found in that order.
+    /// [`Error::BadConfig`]; [`Error::Invalid`] without Gaussians; [`Error::Tensor`].
     pub fn validate(&self) -> Result<()> {
-        self.validate_at(Path::new(IN_MEMORY))
-    }
-
-    pub(super) fn validate_at(&self, origin: &Path) -> Result<()> {
-        self.config.validate_at(origin)?;
+        self.config.validate()?;
         if self.gaussians.is_empty() {
-            return Err(Error::EmptyScene { origin: origin.to_owned() });
+            return no_gaussians();
         }
-        self.check_layers(origin)?;
+        self.check_layers()?;
         let tensors = self.tensors();
         for (spec, data) in &tensors {
             if data.len() != spec.values() {
-                spec.check_shape(Some(&[data.len()]), origin)?;
+                spec.check_shape(Some(&[data.len()]))?;
             }
         }
-        check_sizes(tensors.iter().map(|(spec, _)| spec), origin)?;
-        tensors.iter().try_for_each(|(spec, data)| check_finite(spec, data, origin))
+        check_sizes(tensors.iter().map(|(spec, _)| spec))?;
+        tensors.iter().try_for_each(|(spec, data)| spec.check_finite(data))
     }
 
     /// Checks the layers' widths. After that, [`Self::tensors`] is in the configuration's order.
-    fn check_layers(&self, origin: &Path) -> Result<()> {
+    fn check_layers(&self) -> Result<()> {
         let networks = [&self.color.network, &self.transmittance.network];
         for (network, field) in networks.into_iter().zip(self.config.fields()) {
             // A layer that only one side has is a difference, too.
@@ -81,7 +94,7 @@ impl Scene {
                 let found = layer.map_or(Vec::new(), |layer| vec![layer.outputs, layer.inputs]);
                 let pair = field.widths.get(index..index + 2);
                 let expected = pair.map_or(Vec::new(), |pair| vec![pair[1], pair[0]]);
-                field.weight(index, expected).check_shape(Some(&found), origin)?;
+                field.weight(index, expected).check_shape(Some(&found))?;
             }
         }
         Ok(())
@@ -89,30 +102,18 @@ impl Scene {
 }
 
 /// Checks that the kernels can address every tensor.
-pub(super) fn check_sizes<'a>(
-    mut specs: impl Iterator<Item = &'a TensorSpec>,
-    origin: &Path,
-) -> Result<()> {
-    match specs.find(|spec| spec.values() >= MAX_VALUES) {
-        Some(spec) => Err(Error::TooManyValues {
-            origin: origin.to_owned(),
-            tensor: spec.name.clone(),
-            values: spec.values(),
-        }),
-        None => Ok(()),
-    }
+pub(super) fn check_sizes<'a>(mut specs: impl Iterator<Item = &'a TensorSpec>) -> Result<()> {
+    let Some(spec) = specs.find(|spec| spec.values() >= MAX_VALUES) else { return Ok(()) };
+    let reason = format!(
+        "would hold {} values; the kernels address fewer than 2^31 = 2147483648: use fewer Gaussians or smaller tables",
+        spec.values()
+    );
+    spec.wrong(reason)
 }
 
-fn check_finite(spec: &TensorSpec, data: &[f32], origin: &Path) -> Result<()> {
-    match data.iter().position(|value| !value.is_finite()) {
-        Some(index) => Err(Error::NotFinite {
-            origin: origin.to_owned(),
-            tensor: spec.name.clone(),
-            index,
-            value: data[index],
-        }),
-        None => Ok(()),
-    }
+/// The error of a scene without Gaussians.
+pub(super) fn no_gaussians<T>() -> Result<T> {
+    refuse("the scene holds no Gaussians; there is nothing to render")
 }
 
 /// From this resolution on, an f32 position keeps fewer than 11 bits of its fraction inside a cell.

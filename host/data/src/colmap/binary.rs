@@ -5,8 +5,8 @@ use std::path::Path;
 
 use super::model::Lenses;
 use super::{Cameras, Image, Points, Support, add};
-use crate::{Point, invalid};
-use organza_core::error::{Error, Result};
+use crate::Point;
+use organza_core::error::{Error, Result, invalid};
 
 /// Bytes of an image's observation: two coordinates and a point's id.
 const OBSERVATION: u64 = 24;

@@ -6,8 +6,8 @@ use std::str::FromStr;
 
 use super::model::{Intrinsics, Lenses};
 use super::{Cameras, Image, Points, Support, add};
-use crate::{Point, invalid};
-use organza_core::error::{Error, Result};
+use crate::Point;
+use organza_core::error::{Error, Result, invalid};
 
 /// Longest line of a record, in bytes. A point that 50,000 images see needs less.
 const MAX_LINE: u64 = 1 << 20;

@@ -18,7 +18,7 @@ use crate::scene::device_scene::DeviceScene;
 use crate::scene::field::DeviceField;
 use crate::scene::packed::unpack;
 use muslin_device::{Buffer, Count, Device};
-use organza_core::error::{Error, Result};
+use organza_core::error::{Error, Result, argument};
 use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
 
 /// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](organza_core::Camera::moved) says what they mean.
@@ -302,8 +302,7 @@ impl TensorGradient {
         if found == expected {
             return Ok(());
         }
-        let reason = format!("found {found} values for a gradient, expected {expected}");
-        Err(Error::Argument { reason })
+        argument(format!("found {found} values for a gradient, expected {expected}"))
     }
 }
 

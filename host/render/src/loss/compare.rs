@@ -9,8 +9,9 @@ use crate::stages::composite::{CompositedTerm, MaskedTerm, TileGradient};
 use crate::stages::cut::{PartTiles, values_of_tiles};
 use crate::stages::tiles::TileBins;
 use muslin_device::{Buffer, Device};
+use organza_core::error::argument;
 use organza_core::ranks::Ranks;
-use organza_core::{Error, Result, TileBatch};
+use organza_core::{Result, TileBatch};
 
 /// The loss of a batch.
 #[derive(Clone, Debug)]
@@ -227,6 +228,5 @@ pub fn check_len(found: usize, expected: usize) -> Result<()> {
     if found == expected {
         return Ok(());
     }
-    let reason = format!("the loss returned {found} values of `grad_tiles`, expected {expected}");
-    Err(Error::Argument { reason })
+    argument(format!("the loss returned {found} values of `grad_tiles`, expected {expected}"))
 }

@@ -15,8 +15,9 @@ use organza_shaders::ssim::{
 use crate::stages::composite::CompositedTerm;
 use crate::stages::cut::values_of_tiles;
 use muslin_device::{Buffer, Device};
+use organza_core::error::argument;
 use organza_core::tile::MAX_TILE_SIDE;
-use organza_core::{Error, Result, metrics};
+use organza_core::{Result, metrics};
 
 const _: () = assert!(limits::MAX_TILE_SIDE == MAX_TILE_SIDE, "the longest row of `loss_rows`");
 
@@ -155,7 +156,7 @@ fn scales(valid_pixels: f64, ssim_weight: f32) -> [f64; 2] {
 /// The loss of K tiles of `side` pixels and its gradient; on a GPU they are queued. Takes 196 bytes a pixel until then.
 ///
 /// # Errors
-/// [`Error::Argument`] where the buffers do not hold a number of tiles, for a side of 0 or more than
+/// [`Error::Argument`](organza_core::Error::Argument) where the buffers do not hold a number of tiles, for a side of 0 or more than
 /// [`MAX_TILE_SIDE`], more than 65,535 tiles, or more pixels than 32 bits address; as [`Device::run_over`].
 pub fn image_loss(device: &Device, side: u32, inputs: &LossInputs<'_>) -> Result<LossOutput> {
     let tiles = inputs.tiles(side)?;
@@ -235,20 +236,18 @@ impl LossInputs<'_> {
         let tiles = pixels.checked_div(area).unwrap_or(0);
         let is_addressed = pixels as u64 * u64::from(MOMENTS) < 1 << 32;
         if side == 0 || side > MAX_TILE_SIDE || tiles > 65_535 || !is_addressed {
-            let reason = format!(
+            return argument(format!(
                 "{pixels} pixels in tiles of side {side} are too many for the loss; use fewer"
-            );
-            return Err(Error::Argument { reason });
+            ));
         }
         let [image, target] = [self.image, self.target].map(Buffer::len);
         if pixels == tiles * area && [image, target] == [3 * pixels; 2] {
             return Ok(tiles as u32);
         }
-        let reason = format!(
+        argument(format!(
             "{image} values of an image, {target} of its target and {pixels} of the mask are not those of tiles of \
              side {side}"
-        );
-        Err(Error::Argument { reason })
+        ))
     }
 }
 

@@ -26,6 +26,7 @@ use crate::stages::composite::TileGradient;
 use crate::stages::counts::{Capacity, PartCounts};
 use crate::stages::cut::{Limits, PartTiles, by_camera, cut};
 use muslin_device::{Buffer, Count, Device};
+use organza_core::error::argument;
 use organza_core::ranks::Ranks;
 use organza_core::{Camera, Error, Result, TileBatch};
 
@@ -422,13 +423,10 @@ impl<'a> Pass<'a> {
         }
         match samples.map(u32::try_from) {
             [Ok(pairs), Ok(samples)] => Ok([pairs, samples].map(Count::known)),
-            _ => {
-                let reason = format!(
-                    "the step has {} samples, and their gradients are counted in 32 bits: use fewer tiles in a step",
-                    samples[1]
-                );
-                Err(Error::Argument { reason })
-            }
+            _ => argument(format!(
+                "the step has {} samples, and their gradients are counted in 32 bits: use fewer tiles in a step",
+                samples[1]
+            )),
         }
     }
 

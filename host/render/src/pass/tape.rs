@@ -9,8 +9,9 @@ use super::renderer::Renderer;
 use crate::gradient::{POSE, SceneGradient};
 use crate::loss::compare::LossSource;
 use crate::scene::device_scene::DeviceScene;
+use organza_core::error::argument;
 use organza_core::scene::Gradient;
-use organza_core::{Camera, Channel, Error, RenderedTiles, Result, TileBatch};
+use organza_core::{Camera, Channel, RenderedTiles, Result, TileBatch};
 
 /// A rendered batch, from which the gradient of any loss follows without rendering again.
 ///
@@ -48,7 +49,8 @@ impl Renderer {
     /// Like [`Renderer::render`], but keeps what the gradient needs.
     ///
     /// # Errors
-    /// The same errors as [`Renderer::render`]; [`Error::Argument`] where the scene's grids or networks are halves.
+    /// The same errors as [`Renderer::render`]; [`Error::Argument`](organza_core::Error::Argument) where the scene's
+    /// grids or networks are halves.
     pub fn record(
         &self,
         scene: &DeviceScene,
@@ -153,14 +155,15 @@ impl Tape {
     /// [`Renderer::gradient`] gives.
     ///
     /// # Errors
-    /// [`Error::Argument`] where `grad_tiles` has another number of values, or where the scene has been written to
-    /// since; [`Error::Diverged`] if a gradient is not finite; as [`Renderer::render`].
+    /// [`Error::Argument`](organza_core::Error::Argument) where `grad_tiles` has another number of values, or where the
+    /// scene has been written to since; [`Error::Diverged`](organza_core::Error::Diverged) if a gradient is not finite;
+    /// as [`Renderer::render`].
     pub fn backward(&self, grad_tiles: &[f32]) -> Result<Gradient> {
         self.download(grad_tiles, false).map(|(gradient, _)| gradient)
     }
 
-    /// Like [`Tape::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation
-    /// vector and the shift of [`Camera::moved`], where both are 0. The gradients of a camera that shows no tile are 0. As the
+    /// Like [`Tape::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation vector
+    /// and the shift of [`Camera::moved`], where both are 0. The gradients of a camera that shows no tile are 0. As the
     /// networks see positions and directions as constants, they see the camera's center as one.
     ///
     /// # Errors
@@ -189,7 +192,7 @@ impl Tape {
             pass.backward(&mut self.parts(), &mut LossSource::Given(grad_tiles), gradient)?;
             return gradient.check(device);
         };
-        Err(Error::Argument { reason })
+        argument(reason)
     }
 
     /// Gives up the memory of kept parts. [`Tape::backward`] then renders again.

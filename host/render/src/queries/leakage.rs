@@ -5,7 +5,8 @@ use serde::Serialize;
 use super::pixel_gaussians::{PartSplats, PixelGaussian, depths, surface};
 use crate::pass::part::Part;
 use crate::{DeviceScene, Renderer};
-use organza_core::{Camera, Error, Result, Tile, TileBatch};
+use organza_core::error::argument;
+use organza_core::{Camera, Result, Tile, TileBatch};
 
 /// Weight farther from the median depth than this part of it is not at the surface.
 pub const SURFACE: f64 = 0.12;
@@ -69,7 +70,7 @@ impl Renderer {
     /// Measures where the weight of one view's pixels lies. The pixels are evenly spaced, at most `max` of them.
     ///
     /// # Errors
-    /// [`Error::Argument`] where `max` is 0; else as [`Renderer::render`].
+    /// [`Error::Argument`](organza_core::Error::Argument) where `max` is 0; else as [`Renderer::render`].
     pub fn leakage(
         &self,
         scene: &DeviceScene,
@@ -109,7 +110,7 @@ fn spaced(cameras: &[Camera], camera: usize, max: u32) -> Result<TileBatch> {
     let none = TileBatch { side: 1, tiles: vec![Tile { camera, origin: [0, 0] }] };
     none.validate(cameras)?;
     if max == 0 {
-        return Err(Error::Argument { reason: "0 pixels of a view were asked for".to_owned() });
+        return argument("0 pixels of a view were asked for");
     }
     let size = [cameras[camera].width, cameras[camera].height];
     let count =

@@ -9,7 +9,7 @@ use super::field::DeviceField;
 use super::occupancy::Occupancy;
 use super::packed::{pack, replace_gaussians, unpack};
 use muslin_device::{Buffer, Device};
-use organza_core::error::{Error, Result};
+use organza_core::error::{Result, argument};
 use organza_core::scene::{Gaussians, Scene, SceneConfig, Tensors};
 
 /// A scene whose tensors lie on a device. A clone is the same scene, on the same memory.
@@ -110,15 +110,15 @@ impl DeviceScene {
     /// A [`Tape`](crate::Tape) of the scene as it was before has no gradient anymore.
     ///
     /// # Errors
-    /// [`Error::Argument`] where there is no such tensor, or where the scene was uploaded as halves;
-    /// [`Error::WrongShape`] for another number of values; [`Error::NotFinite`]; the same errors as [`Device::write`].
+    /// [`Error::Argument`](organza_core::Error::Argument) where there is no such tensor, or where the scene was
+    /// uploaded as halves; [`Error::Tensor`](organza_core::Error::Tensor) for another number of values, or one that is
+    /// not finite; the same errors as [`Device::write`].
     pub fn write(&self, device: &Device, name: &str, values: &[f32]) -> Result<()> {
         self.require_gradients()?;
         let specs = self.config.tensors(self.len());
         let Some(spec) = specs.iter().find(|spec| spec.name == name) else {
             let names: Vec<_> = specs.iter().map(|spec| &*spec.name).collect();
-            let reason = format!("a scene has no tensor `{name}`, only {}", names.join(", "));
-            return Err(Error::Argument { reason });
+            return argument(format!("a scene has no tensor `{name}`, only {}", names.join(", ")));
         };
         spec.check(values)?;
         self.version.fetch_add(1, Ordering::Relaxed);

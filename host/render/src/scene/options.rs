@@ -9,23 +9,13 @@
 ///
 /// let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);
 /// let scene = demo::scene();
-/// let halves = renderer.upload_with(&scene, UploadOptions::default().half_grids(true))?;
+/// let halves = renderer.upload_with(&scene, UploadOptions { half_grids: true })?;
 /// assert!(halves.bytes() < DeviceScene::bytes_of(&scene));
 /// # Ok::<(), organza_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct UploadOptions {
     /// Both hash grids in half precision: half their memory.  Each feature is off by up to 2^-11 of the largest entry
     /// around it.  Refused if a value is above 65,504.
     pub half_grids: bool,
-}
-
-impl UploadOptions {
-    /// Sets [`half_grids`](Self::half_grids).
-    #[must_use]
-    pub fn half_grids(mut self, half_grids: bool) -> Self {
-        self.half_grids = half_grids;
-        self
-    }
 }

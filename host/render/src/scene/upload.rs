@@ -12,7 +12,8 @@ use super::occupancy::Occupancy;
 use super::options::UploadOptions;
 use super::packed::{pack, upload};
 use muslin_device::Device;
-use organza_core::{Error, Result, Scene};
+use organza_core::error::argument;
+use organza_core::{Result, Scene};
 
 impl DeviceScene {
     /// See [`Renderer::upload_with`](crate::Renderer::upload_with).
@@ -64,10 +65,9 @@ impl DeviceScene {
     pub(crate) fn require_gradients(&self) -> Result<()> {
         match self.color.half_table {
             None => Ok(()),
-            Some(_) => {
-                let reason = "the scene's grids are halves, without gradients; upload it without `half_grids`";
-                Err(Error::Argument { reason: reason.into() })
-            }
+            Some(_) => argument(
+                "the scene's grids are halves, without gradients; upload it without `half_grids`",
+            ),
         }
     }
 }

@@ -95,7 +95,7 @@ fn largest(values: &[f64], count: usize) -> Vec<usize> {
 }
 
 #[test]
-fn the_gradient_is_that_of_differences_with_distances_held_constant() {
+fn the_gradient_follows_differences_with_distances_held_constant() {
     let scene = every(24);
     for device in all_devices() {
         let renderer = Renderer::new(device);

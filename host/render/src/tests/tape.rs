@@ -208,7 +208,7 @@ fn bad_tensors_and_half_grids_are_refused() {
     let tape = record(&renderer, &scene).expect("a tape");
     let text = tape.backward(&[1.0]).unwrap_err().to_string();
     assert!(text.contains("has 1 values, but the batch is [5, 3, 16, 16]"), "{text}");
-    let options = UploadOptions { half_grids: true, ..UploadOptions::default() };
+    let options = UploadOptions { half_grids: true };
     let halves = renderer.upload_with(&host, options).expect("a scene");
     for error in [
         record(&renderer, &halves).map(drop).unwrap_err(),

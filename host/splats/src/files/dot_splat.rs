@@ -6,9 +6,9 @@ use std::path::Path;
 
 use muslin::math::sigmoid;
 
-use super::{Splat, SplatFile, base_color, byte, invalid, log_of, logit_of, turned, whole};
+use super::{Splat, SplatFile, base_color, byte, log_of, logit_of, turned, whole};
 use crate::harmonics::{FIRST, HARMONICS, MIDDLE};
-use organza_core::error::Result;
+use organza_core::error::{Result, invalid};
 
 /// Bytes of a Gaussian.
 const BYTES: usize = 32;

@@ -9,10 +9,10 @@ use muslin::math::sigmoid;
 use organza_core::memory;
 use serde_json::{Map, Value, json};
 
-use super::{PLACEMENT, Splat, SplatFile, base_color, byte, invalid, log_of, said, turned, whole};
+use super::{PLACEMENT, Splat, SplatFile, base_color, byte, log_of, said, turned, whole};
 use crate::harmonics::{DEGREE, FIRST, HARMONICS, MIDDLE};
 use crate::placed::turn;
-use organza_core::error::Result;
+use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
 use organza_core::scene::{Placement, logit};
 
@@ -243,7 +243,7 @@ impl File<'_> {
         (0..nodes.len()).filter(|node| !inner.contains(node)).collect()
     }
 
-    /// Adds the Gaussians of a node, and of those within. `parent` maps the space around the node to the world. A node is in
+    /// Adds the Gaussians of a node, and of the nodes within. `parent` maps the space around the node to the world. A node is in
     /// one other at most, so `seen` must not have it.
     fn add_node(
         &self,

@@ -16,6 +16,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use glam::{DMat3, DVec3};
+use organza_core::error::invalid;
 use organza_core::memory;
 use serde_json::Value;
 
@@ -270,10 +271,6 @@ fn whole(source: impl Read, length: u64, path: &Path) -> Result<Vec<u8>> {
     let mut bytes = memory::reserve(length as usize, "a file of Gaussians")?;
     source.take(length).read_to_end(&mut bytes).map_err(|error| Error::read(path, error))?;
     Ok(bytes)
-}
-
-fn invalid<T>(path: &Path, reason: impl Into<String>) -> Result<T> {
-    Err(Error::Invalid { origin: path.to_owned(), reason: reason.into() })
 }
 
 /// The color without the parts that depend on the direction.

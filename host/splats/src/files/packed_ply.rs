@@ -9,11 +9,9 @@ use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
 use super::clusters::along_a_curve;
 use super::ply::{row, said, write_head};
-use super::{
-    Splat, SplatFile, ends, invalid, level, logit_of, smallest_three, turned, with_largest,
-};
+use super::{Splat, SplatFile, ends, level, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{FIRST, HARMONICS, MIDDLE};
-use organza_core::error::Result;
+use organza_core::error::{Result, invalid};
 use organza_core::scene::Placement;
 use organza_data::ply::{Ply, number};
 

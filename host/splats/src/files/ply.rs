@@ -5,9 +5,9 @@ use std::path::Path;
 
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
-use super::{PLACEMENT, Splat, SplatFile, invalid, packed_ply, turned};
+use super::{PLACEMENT, Splat, SplatFile, packed_ply, turned};
 use crate::harmonics::HARMONICS;
-use organza_core::error::Result;
+use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
 use organza_core::scene::Placement;
 use organza_data::ply::{Ply, number};

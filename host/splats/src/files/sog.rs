@@ -16,11 +16,11 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::clusters::{Clusters, along_a_curve, clusters};
 use super::{
-    PLACEMENT, Splat, SplatFile, byte, ends, invalid, level, logit_of, said, smallest_three,
-    turned, whole, with_largest,
+    PLACEMENT, Splat, SplatFile, byte, ends, level, logit_of, said, smallest_three, turned, whole,
+    with_largest,
 };
 use crate::harmonics::{DEGREE, HARMONICS};
-use organza_core::error::{Error, Result};
+use organza_core::error::{Error, Result, invalid};
 use organza_core::input::{open_regular, parse_json};
 use organza_core::scene::Placement;
 

@@ -15,10 +15,10 @@ use half::f16;
 use muslin::math::sigmoid;
 use organza_core::memory;
 
-use super::{Splat, SplatFile, byte, invalid, logit_of, smallest_three, turned, with_largest};
+use super::{Splat, SplatFile, byte, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{DEGREE, HARMONICS};
 use crate::placed::turn;
-use organza_core::error::Result;
+use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
 use organza_core::scene::Placement;
 

@@ -101,7 +101,7 @@ impl WebPage {
         way.rotate_left(nearest.unwrap_or(0));
         let pose = |camera: &Camera| camera.camera_to_world.map(|row| row.map(|x| x as f32));
 
-        let upload = UploadOptions::default().half_grids(options.half_grids);
+        let upload = UploadOptions { half_grids: options.half_grids };
         let planner = Renderer::new(Device::planner());
         let planned = planner.upload_with(scene, upload)?;
         let mut buffers = planner.device().take_plan().buffers;
@@ -297,8 +297,7 @@ fn html(title: &str, poster: &str, scripts: &str) -> String {
 
 /// A document of organza.
 fn document(title: &str, style: &str, body: &Markup) -> String {
-    use base64::Engine;
-    let icon = base64::engine::general_purpose::STANDARD.encode(ICON);
+    let icon = STANDARD.encode(ICON);
     let page = html! {
         (DOCTYPE)
         html lang="en" {

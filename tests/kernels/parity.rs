@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use muslin_check::{KernelRunner, Output, Parity, Rounding, Values, missing};
+use muslin_check::{KernelRunner, Parity, Rounding, missing};
 use organza::{InstructionSet, Renderer};
 use organza_parity::project_backward::ProjectBackward;
 use organza_tests::{cases, devices};
@@ -51,11 +51,8 @@ fn the_number_of_threads_changes_no_bit() {
 fn all_of<P: Parity>(output: &str) -> BTreeSet<u32> {
     let cpu = devices::cpu(None);
     let outputs = |set: P| set.run(&KernelRunner::new(&cpu, P::KERNEL)).expect("the kernel runs");
-    let named = |Output { name, values }: Output| match values {
-        Values::Exact(values) if name == output => values,
-        _ => Vec::new(),
-    };
-    P::sets().into_iter().flat_map(|(_, set)| outputs(set)).flat_map(named).collect()
+    let all = P::sets().into_iter().flat_map(|(_, set)| outputs(set));
+    all.filter(|found| found.name == output).flat_map(|found| found.words()).collect()
 }
 
 /// Sets avoid places where rounding decides, but must still reach every branch.

@@ -28,14 +28,6 @@ pub fn read_sums(words: &[u32], values: usize) -> Vec<f64> {
     (0..values).map(sum).collect()
 }
 
-/// An output, with the sums' values in place of their words.
-pub fn with_sums(output: Output, values: usize) -> Output {
-    if output.name != "sum" {
-        return output;
-    }
-    Output { values: Values::Float(read_sums(output.words(), values)), ..output }
-}
-
 /// Sums of one number each, `[17, values, 2]`.
 pub fn write_sums(values: &[f32]) -> Vec<u32> {
     let mut sums = vec![[0; 2]; ROWS as usize * values.len()];

@@ -1,15 +1,15 @@
 //! Cases of `color_inputs` and `color_head`.
 
-use glam::DVec3;
+use glam::Vec3;
 use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::color::{ColorHeadInputs, ColorInputsInputs, ColorInputsParams};
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::unit_cube::SceneBox;
 
-use super::dense::Dense;
+use super::dense::{Dense, head_sets};
 use super::exact::numeric::row;
-use super::exact::spherical_harmonics::{direction, harmonics};
+use super::exact::spherical_harmonics::{direction, harmonic};
 use super::exact::unit_cube::{contract, unit};
 use super::project;
 
@@ -25,15 +25,9 @@ const FIRST_PAIR: u32 = 2;
 
 /// Adds the coarse and the fine parts of an output, points of `[6, stride]`. Returns the rows behind them.
 pub fn joined(output: &mut Output, stride: usize) -> Vec<f64> {
-    let point = output.floats();
-    let parts = |axis: usize| {
-        let coarse = &point[axis * stride..][..stride];
-        let fine = &point[(axis + 3) * stride..][..stride];
-        coarse.iter().zip(fine).map(|(coarse, fine)| coarse + fine)
-    };
-    let sums = Values::Float((0..3).flat_map(parts).collect());
-    let rest = point[POINT_ROWS as usize * stride..].to_vec();
-    output.values = sums;
+    let rest = output.values.split_off(POINT_ROWS as usize * stride);
+    let fine = output.values.split_off(3 * stride);
+    output.values.iter_mut().zip(fine).for_each(|(coarse, fine)| *coarse += fine);
     rest
 }
 
@@ -86,47 +80,20 @@ impl ColorInputs {
         self
     }
 
-    /// The values of an output, and the errors of coordinates.
-    ///
-    /// A Gaussian at the camera has no direction, nor has one so far away that the squared distance overflows an f32.
-    /// Then only band 0 is known.
-    fn known(
-        &self,
-        output: &str,
-        len: usize,
-        coordinate: impl Fn(Rounded) -> Rounded,
-    ) -> Vec<Option<Rounded>> {
-        let ColorInputsParams {
-            pairs, stride, sh_degree, material_row, gaussians, contracted, ..
-        } = self.params;
-        let mut exact = vec![None; len];
-        for column in 0..pairs as usize {
-            let slot = self.pair[FIRST_PAIR as usize + column];
-            let gaussian = (slot % gaussians) as usize;
-            let center = row(&self.position, gaussian);
-            let mut give = |row: usize, value: Rounded| {
-                exact[row * stride as usize + column] = Some(value);
-            };
-            if output == "point" {
-                let point = unit(center, self.aabb, contracted == 1);
-                let point = if contracted == 1 { contract(point) } else { point };
-                point.into_iter().enumerate().for_each(|(row, x)| give(row, coordinate(x)));
-                continue;
-            }
-            let center = DVec3::from(center.map(|x| x.value));
-            let eye = self.cameras[(slot / gaussians) as usize].eye.as_dvec3();
-            let has_direction = (1e-15..1e18).contains(&center.distance(eye));
-            let direction = direction(eye.to_array(), center.to_array());
-            for (row, y) in harmonics(sh_degree, direction).into_iter().enumerate() {
-                // a recurrence of `degree` steps with square roots and divisions of 3 ulp
-                let error = 1e-6 * (1.0 + (row as f64).sqrt().floor());
-                let known = Rounded::within(y, if row == 0 { 6e-8 } else { error });
-                give(row, if row == 0 || has_direction { known } else { Rounded::UNKNOWN });
-            }
-            let material = self.material[3 * gaussian..][..3].iter().enumerate();
-            material.for_each(|(row, &value)| give(material_row as usize + row, value.into()));
-        }
-        exact
+    /// The Gaussian and the camera of the pair in a column; none of padding.
+    fn slot(&self, column: usize) -> Option<(usize, &Camera)> {
+        let slot = *self.pair.get(FIRST_PAIR as usize + column)?;
+        let camera = &self.cameras[(slot / self.params.gaussians) as usize];
+        Some(((slot % self.params.gaussians) as usize, camera))
+    }
+
+    /// A coordinate of a point, in one f32.
+    fn coordinate(&self, index: usize) -> Option<Rounded> {
+        let stride = self.params.stride as usize;
+        let (gaussian, _) = self.slot(index % stride)?;
+        let is_contracted = self.params.contracted == 1;
+        let point = unit(row(&self.position, gaussian), self.aabb, is_contracted);
+        Some(if is_contracted { contract(point) } else { point }[index / stride])
     }
 }
 
@@ -153,68 +120,72 @@ impl Parity for ColorInputs {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel())?;
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
         joined(&mut outputs[0], self.params.stride as usize);
-        Ok(outputs)
+        outputs
     }
 
     /// A coordinate is two f32, or one that is contracted.
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<Rounded>> {
-        let error = |x: f64| match x.abs() {
-            _ if self.params.contracted == 1 => 5e-7,
-            x if x < 2.0 => 1e-9,
-            x => 1e-6 * x,
-        };
-        let within = |x: f64| Rounded::within(x, error(x) + f64::from(TINY));
-        self.known(output, len, |x| within(x.value))
+    ///
+    /// A Gaussian at the camera has no direction, nor has one so far away that the squared distance overflows an f32.
+    /// Then only band 0 is known.
+    fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
+        let ColorInputsParams { stride, sh_degree, material_row, contracted, .. } = self.params;
+        if output == "point" {
+            let x = self.coordinate(index)?.value;
+            let error = match x.abs() {
+                _ if contracted == 1 => 5e-7,
+                x if x < 2.0 => 1e-9,
+                x => 1e-6 * x,
+            };
+            return Some(Rounded::within(x, error + f64::from(TINY)));
+        }
+        let (gaussian, camera) = self.slot(index % stride as usize)?;
+        let row = index / stride as usize;
+        if let Some(at) = row.checked_sub(material_row as usize) {
+            return Some(self.material[3 * gaussian + at].into());
+        }
+        let band = row.isqrt();
+        let center = Vec3::from_slice(&self.position[3 * gaussian..]).as_dvec3();
+        let eye = camera.eye.as_dvec3();
+        let has_direction = (1e-15..1e18).contains(&center.distance(eye));
+        let y = harmonic(row, direction(eye.to_array(), center.to_array()));
+        Some(match band {
+            0 => Rounded::within(y, 6e-8),
+            _ if band > sh_degree as usize => return None,
+            // a recurrence of `band` steps with square roots and divisions of 3 ulp
+            _ if has_direction => Rounded::within(y, 1e-6 * (1.0 + band as f64)),
+            _ => Rounded::UNKNOWN,
+        })
     }
 
     /// A coordinate is one f32 of a place in the world.
     fn exact_regrouped(&self, output: &str, len: usize) -> Vec<Option<Rounded>> {
-        self.known(output, len, |x| x)
+        match output {
+            "point" => (0..len).map(|index| self.coordinate(index)).collect(),
+            _ => self.exact(output, len),
+        }
     }
 }
 
 // the last layer has one column
 case!(pub ColorHead(ColorHeadInputs) { layer: Dense });
 
-impl ColorHead {
-    fn new(layer: Dense) -> Self {
-        let inputs = ColorHeadInputs {
-            params: layer.head_params(FIRST_PAIR),
-            parameters: layer.parameters.clone(),
-            input: layer.input.clone(),
-            color: unwritten(3 * (FIRST_PAIR + layer.params.samples) as usize),
-        };
-        Self { inputs, layer }
-    }
-}
-
 impl Parity for ColorHead {
     fn sets() -> Vec<(String, Self)> {
-        let mut sets =
-            inputs::sets(|n, fill, random| Self::new(Dense::new(n, 16, 1, fill, random)));
-        for size in [0.01, 10.0, 50.0, 1e4] {
-            sets.push((format!("logits of {size}"), Self::new(layer_of_size(size))));
-        }
-        sets
+        head_sets(|layer, _, _| {
+            let inputs = ColorHeadInputs {
+                params: layer.head_params(FIRST_PAIR),
+                parameters: layer.parameters.clone(),
+                input: layer.input.clone(),
+                color: unwritten(3 * (FIRST_PAIR + layer.params.samples) as usize),
+            };
+            Self { inputs, layer }
+        })
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
         let at = index.checked_sub(3 * FIRST_PAIR as usize)? as u32;
         Some(self.layer.sum(at / 3, at % 3).sigmoid())
     }
-}
-
-/// A head with logits of about `size`, of both signs. The terms of a logit do not cancel.
-pub fn layer_of_size(size: f32) -> Dense {
-    let mut layer = Dense::new(ITEMS, 16, 1, Fill::Random, &mut Random::new(5));
-    layer.parameters.iter_mut().for_each(|row| *row = row.abs() * size / 8.0);
-    let stride = layer.params.stride;
-    for (at, value) in layer.input.iter_mut().enumerate() {
-        let is_negative = (at as u32 % stride).is_multiple_of(2);
-        *value = if is_negative { -value.abs() } else { value.abs() };
-    }
-    layer
 }

@@ -53,6 +53,7 @@ impl Composite {
         let intersection = (0..all).map(|_| random.below(splats as u32)).collect();
         let area = (side * side) as usize;
         let sum = random.values(4 * tiles.len() * area, 0.0, 0.5);
+        let sum = sum.as_chunks().0.iter().copied();
         Self(CompositeInputs {
             params: CompositeParams { side, skip: 0 },
             tile: pack(&tiles),
@@ -61,7 +62,7 @@ impl Composite {
             // all cells
             cells: vec![u32::MAX; all as usize],
             splat,
-            sum: planes(sum.as_chunks().0, area),
+            sum: planes(sum, area),
         })
     }
 
@@ -119,7 +120,8 @@ pub fn extent(conic: [f32; 3]) -> [f32; 2] {
 }
 
 /// Pixels as the kernels keep them: a plane for each channel of a tile.
-pub(super) fn planes<T: Copy>(pixels: &[[T; 4]], area: usize) -> Vec<T> {
+pub(super) fn planes<T: Copy>(pixels: impl Iterator<Item = [T; 4]>, area: usize) -> Vec<T> {
+    let pixels: Vec<_> = pixels.collect();
     let tiles = pixels.chunks(area);
     let planes = tiles.flat_map(|tile| (0..4).map(move |channel| (tile, channel)));
     planes.flat_map(|(tile, channel)| tile.iter().map(move |pixel| pixel[channel])).collect()
@@ -153,6 +155,6 @@ impl Parity for Composite {
                 [0, 1, 2, 3].map(|channel| sum[channel] + term[channel])
             })
         };
-        listed(planes(&(0..self.sum.len() / 4).map(of).collect::<Vec<_>>(), area))
+        listed(planes((0..self.sum.len() / 4).map(of), area))
     }
 }

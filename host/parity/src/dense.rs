@@ -61,6 +61,25 @@ impl Dense {
     }
 }
 
+/// Sets of heads, last layers of one column: inputs of every kind, and logits of all sizes.
+pub fn head_sets<S>(new: impl Fn(Dense, Fill, &mut Random) -> S) -> Vec<(String, S)> {
+    let mut sets =
+        inputs::sets(|n, fill, random| new(Dense::new(n, 16, 1, fill, random), fill, random));
+    for size in [0.01, 10.0, 50.0, 1e4] {
+        let mut layer = Dense::new(ITEMS, 16, 1, Fill::Random, &mut Random::new(5));
+        layer.parameters.iter_mut().for_each(|row| *row = row.abs() * size / 8.0);
+        // logits of both signs, whose terms do not cancel
+        let stride = layer.params.stride;
+        for (at, value) in layer.input.iter_mut().enumerate() {
+            let is_negative = (at as u32 % stride).is_multiple_of(2);
+            *value = if is_negative { -value.abs() } else { value.abs() };
+        }
+        let set = new(layer, Fill::Random, &mut Random::new(6));
+        sets.push((format!("logits of {size}"), set));
+    }
+    sets
+}
+
 impl Parity for Dense {
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| Self::new(n, 19, 8, fill, random));

@@ -8,7 +8,7 @@ use organza_shaders::dense_backward::{
     DenseBackwardInputs, DenseBackwardParams, DenseWeightBackwardInputs, DenseWeightBackwardParams,
 };
 
-use super::binned::{with_sums, write_sums};
+use super::binned::{read_sums, write_sums};
 use super::dense::Dense;
 use super::exact::dense::relu;
 
@@ -17,8 +17,14 @@ case!(pub DenseBackward(DenseBackwardInputs) { layer: Dense });
 
 impl DenseBackward {
     /// If the inputs are a hidden layer's outputs, their gradient is wanted from the first one on.
-    fn new(mut layer: Dense, rectified: bool, fill: Fill, random: &mut Random) -> Self {
-        let DenseParams { samples, stride, inputs, columns, weight, .. } = layer.params;
+    fn new(
+        [samples, inputs, columns]: [u32; 3],
+        rectified: bool,
+        fill: Fill,
+        random: &mut Random,
+    ) -> Self {
+        let mut layer = Dense::new(samples, inputs, columns, fill, random);
+        let DenseParams { stride, weight, .. } = layer.params;
         let (first_input, end_input) = match rectified {
             true => (0, inputs.next_multiple_of(16)),
             false => (inputs / 3, inputs),
@@ -47,10 +53,7 @@ impl DenseBackward {
 
 impl Parity for DenseBackward {
     fn sets() -> Vec<(String, Self)> {
-        let mut sets = inputs::sets(|n, fill, random| {
-            let layer = Dense::new(n, 19, 8, fill, random);
-            Self::new(layer, true, fill, random)
-        });
+        let mut sets = inputs::sets(|n, fill, random| Self::new([n, 19, 8], true, fill, random));
         for (inputs, columns, rectified) in [
             (1, 1, false),
             (3, 4, true),
@@ -59,9 +62,8 @@ impl Parity for DenseBackward {
             (40, 4, false),
             (64, 1, true),
         ] {
-            let mut random = Random::new(7);
-            let layer = Dense::new(65, inputs, columns, Fill::Random, &mut random);
-            let set = Self::new(layer, rectified, Fill::Random, &mut random);
+            let random = &mut Random::new(7);
+            let set = Self::new([65, inputs, columns], rectified, Fill::Random, random);
             sets.push((format!("random, {inputs} inputs, {columns} columns"), set));
         }
         sets
@@ -102,12 +104,13 @@ case!(pub DenseWeightBackward(DenseWeightBackwardInputs) {
 
 impl DenseWeightBackward {
     fn new(
-        layer: Dense,
+        [samples, inputs, columns]: [u32; 3],
         first: Vec<u32>,
         [slice, first_sample]: [u32; 2],
         fill: Fill,
         random: &mut Random,
     ) -> Self {
+        let layer = Dense::new(samples, inputs, columns, fill, random);
         let output_gradient = fill.values(random, layer.output.len(), [-1.0, 1.0], 1e15);
         let parameters = layer.parameters.len();
         let carry = fill.values(random, 2 * 4 * parameters, [-1.0, 1.0], 1e15);
@@ -117,7 +120,7 @@ impl DenseWeightBackward {
         // the pairs of a camera are its rays, of one sample each, or there is one pair for each camera
         let pair = |camera: u32| if of_rays == 1 { camera } else { first[camera as usize] };
         let cameras = first.len() as u32 - 1;
-        let DenseParams { samples, stride, inputs, columns, weight, bias } = layer.params;
+        let DenseParams { stride, weight, bias, .. } = layer.params;
         let inputs = DenseWeightBackwardInputs {
             params: DenseWeightBackwardParams {
                 samples,
@@ -199,8 +202,7 @@ impl DenseWeightBackward {
 impl Parity for DenseWeightBackward {
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
-            let layer = Dense::new(n, 6, 2, fill, random);
-            Self::new(layer, vec![0, n], [100, 0], fill, random)
+            Self::new([n, 6, 2], vec![0, n], [100, 0], fill, random)
         });
         // the last two have more than one tile; the biases of 32 inputs need invocations of their own
         for (inputs, columns, slice) in [
@@ -213,15 +215,14 @@ impl Parity for DenseWeightBackward {
             (194, 1, 64),
             (67, 17, 100),
         ] {
-            let mut random = Random::new(11);
-            let layer = Dense::new(300, inputs, columns, Fill::Random, &mut random);
-            let set = Self::new(layer, vec![0, 300], [slice, 0], Fill::Random, &mut random);
+            let sizes = [300, inputs, columns];
+            let random = &mut Random::new(11);
+            let set = Self::new(sizes, vec![0, 300], [slice, 0], Fill::Random, random);
             let name = format!("random, {inputs} inputs, {columns} columns, slices of {slice}");
             sets.push((name, set));
         }
-        let mut random = Random::new(17);
-        let layer = Dense::new(37, 6, 2, Fill::Random, &mut random);
-        let mut padded = Self::new(layer, vec![0, 37], [16, 0], Fill::Random, &mut random);
+        let random = &mut Random::new(17);
+        let mut padded = Self::new([37, 6, 2], vec![0, 37], [16, 0], Fill::Random, random);
         let padding = 5 * padded.inputs.params.stride as usize;
         padded.inputs.output_gradient[padding..].fill(0.0);
         sets.push(("three of eight outputs are padding".into(), padded));
@@ -233,18 +234,19 @@ impl Parity for DenseWeightBackward {
         ] {
             for [first_sample, slice] in [[70, 33], [70, 4096], [50, 1], [0, 7]] {
                 let first = vec![0, 50, 131, 131, 131, 200, 420];
-                let mut random = Random::new(19);
-                let layer = Dense::new(300, inputs, columns, fill, &mut random);
-                let set = Self::new(layer, first, [slice, first_sample], fill, &mut random);
+                let sizes = [300, inputs, columns];
+                let random = &mut Random::new(19);
+                let set = Self::new(sizes, first, [slice, first_sample], fill, random);
                 sets.push((format!("{name}, slices of {slice}, from {first_sample} on"), set));
             }
         }
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let outputs = runner.run(&self.kernel())?;
-        Ok(outputs.into_iter().map(|output| with_sums(output, self.before.len())).collect())
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
+        let sums = read_sums(&outputs[1].words(), self.before.len());
+        outputs[1] = Output::float("sum", sums);
+        outputs
     }
 
     /// A parameter's derivative is the sum of its factors. Slices are added exactly.
@@ -254,12 +256,13 @@ impl Parity for DenseWeightBackward {
             let before = f64::from(self.before[index]);
             // a sum that a GPU may flush is not added
             let before = if before.abs() < f64::from(TINY) { 0.0 } else { before };
-            let slices: Vec<_> = self.in_chunk(true).map(|slice| self.sum(&slice, index)).collect();
-            let value = before + slices.iter().map(|slice| slice.value).sum::<f64>();
             // f64 rounds them, too
-            let rounded = |slice: &Rounded| 1e-14 * slice.terms + slice.error;
-            let error = slices.iter().map(rounded).sum::<f64>();
-            return Some(Rounded::within(value, error + 1e-15 * before.abs()));
+            let before = Rounded::within(before, 1e-15 * before.abs());
+            return Some(self.in_chunk(true).fold(before, |sum, slice| {
+                let slice = self.sum(&slice, index);
+                let error = sum.error + slice.error + 1e-14 * slice.terms;
+                Rounded::within(sum.value + slice.value, error)
+            }));
         }
         let value = index % values;
         let is_own = index / values != self.params.turn as usize && self.place(value).is_some();

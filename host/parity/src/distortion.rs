@@ -67,18 +67,13 @@ impl DistortionBackward {
                 [first, first * mean[i] * spread[i], 0.0, weight[i]]
             }
         });
-        let sum: Vec<_> = sum.collect();
         Self(DistortionBackwardInputs {
             params: DistortionParams { side, scale: 0.01 },
             tile: pack(&tiles),
-            sum: planes(&sum, area),
+            sum: planes(sum, area),
             valid: (0..pixels).map(|_| f32::from(random.below(3) > 0)).collect(),
             sum_gradient: unwritten(4 * pixels),
         })
-    }
-
-    fn area(&self) -> usize {
-        (self.params.side * self.params.side) as usize
     }
 }
 
@@ -98,7 +93,7 @@ impl Parity for DistortionBackward {
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
-        let area = self.area();
+        let area = (self.params.side * self.params.side) as usize;
         let of = |at: usize| {
             let [m1, m2, _, weight] = pixel(&self.sum, area, at);
             if weight.value <= 0.0 {
@@ -114,6 +109,6 @@ impl Parity for DistortionBackward {
             });
             [by_m1, by_m2, 0.0.into(), by_weight]
         };
-        listed(planes(&(0..self.sum.len() / 4).map(of).collect::<Vec<_>>(), area))
+        listed(planes((0..self.sum.len() / 4).map(of), area))
     }
 }

@@ -48,14 +48,22 @@ fn rows(grid: &GridConfig) -> usize {
     FIRST_ROW + grid.width()
 }
 
-/// The number of values of `[chunks, rows, STRIDE]` for a number of points.
+/// Row and point of an element of `[chunks, rows, STRIDE]`; none of padding.
+fn place(rows: usize, points: usize, index: usize) -> Option<(usize, usize)> {
+    let column = index % STRIDE;
+    let point = index / STRIDE / rows * CHUNK + column;
+    (column < CHUNK && point < points).then_some((index / STRIDE % rows, point))
+}
+
+/// The number of elements of `[chunks, rows, STRIDE]`.
 fn len(rows: usize, points: usize) -> usize {
     points.div_ceil(CHUNK) * rows * STRIDE
 }
 
-/// Where a point's value of a row lies in `[chunks, rows, STRIDE]`.
-fn at(rows: usize, row: usize, point: usize) -> usize {
-    (point / CHUNK * rows + row) * STRIDE + point % CHUNK
+/// `[chunks, rows, STRIDE]`, from the value of each row and point.
+fn chunked(rows: usize, points: usize, value: impl Fn(usize, usize) -> f32) -> Vec<f32> {
+    let places = (0..len(rows, points)).map(|index| place(rows, points, index));
+    places.map(|place| place.map_or(f32::NAN, |(row, point)| value(row, point))).collect()
 }
 
 /// The parameters for a number of points.
@@ -73,24 +81,17 @@ pub(super) fn params(grid: &GridConfig, points: usize) -> HashGridParams {
 
 /// Points as kernels read them.
 pub(super) fn positions(points: &[[Split; 3]]) -> Vec<f32> {
-    let mut position = vec![f32::NAN; len(POINT_ROWS as usize, points.len())];
-    for (point, coordinates) in points.iter().enumerate() {
-        for (axis, x) in coordinates.iter().enumerate() {
-            position[at(POINT_ROWS as usize, axis, point)] = x.coarse;
-            position[at(POINT_ROWS as usize, axis + 3, point)] = x.fine;
-        }
-    }
-    position
+    chunked(POINT_ROWS as usize, points.len(), |row, point| {
+        let x = points[point][row % 3];
+        if row < 3 { x.coarse } else { x.fine }
+    })
 }
 
 /// Features `[width, points]` as kernels read them.
 pub(super) fn features(grid: &GridConfig, points: usize, values: &[f32]) -> Vec<f32> {
-    let rows = rows(grid);
-    let mut features = vec![f32::NAN; len(rows, points)];
-    for (index, &value) in values.iter().enumerate() {
-        features[at(rows, FIRST_ROW + index / points, index % points)] = value;
-    }
-    features
+    chunked(rows(grid), points, |row, point| {
+        row.checked_sub(FIRST_ROW).map_or(f32::NAN, |row| values[row * points + point])
+    })
 }
 
 impl HashGrid {
@@ -171,14 +172,10 @@ impl HashGrid {
 
     /// The place of an element of the output: level, feature and point; none where nothing is written.
     fn place(&self, index: usize) -> Option<(usize, usize, usize)> {
-        let chunk_row = index / STRIDE;
-        let column = index % STRIDE;
-        let rows = rows(&self.grid);
-        let point = chunk_row / rows * CHUNK + column;
-        let row = (chunk_row % rows).checked_sub(FIRST_ROW)?;
-        let is_written = column < CHUNK && point < self.points.len();
+        let (row, point) = place(rows(&self.grid), self.points.len(), index)?;
+        let row = row.checked_sub(FIRST_ROW)?;
         let features = self.grid.features as usize;
-        is_written.then_some((row / features, row % features, point))
+        Some((row / features, row % features, point))
     }
 
     /// The features, with the error of a position in a level as a part of its resolution.

@@ -24,9 +24,6 @@ case!(pub HashGridBackward(HashGridBackwardInputs) {
     is_unrounded: bool,
 });
 
-/// The smallest normal f32: a GPU may flush smaller ones.
-const SMALLEST: f64 = 1.175_494_350_822_287_5e-38;
-
 impl HashGridBackward {
     /// The unit is a power of two. Gradients are below 2^50 units; larger ones than the limit are not added.
     fn new(
@@ -141,61 +138,52 @@ impl HashGridBackward {
 
     /// The sums in units, `sum_points weight dL/dfeature`, the transpose of
     /// [`encode`](super::exact::hash_grid::encode), and whether each block of 64 values is touched.
-    fn sums(&self) -> (Vec<f64>, Vec<bool>) {
+    ///
+    /// The error of a weight has no equation, as in `hash_grid`: rounding may move a point to the next cell.
+    fn sums(&self, error: f64) -> (Vec<Rounded>, Vec<bool>) {
         let features = self.grid.features as usize;
-        let mut sums = vec![0.0; self.sum.len() / 2];
+        let scale = f64::from(self.scale[0]);
+        let mut sums = vec![Rounded::exact(0.0); self.sum.len() / 2];
         let mut touched = vec![false; self.touched.len()];
-        for (index, level) in levels(&self.grid).iter().enumerate() {
-            for (point, &place) in self.points.iter().enumerate() {
-                let Some(gradients) = self.gradients(index, point) else { continue };
+        for (index, (exact, level)) in levels(&self.grid).iter().zip(&self.levels).enumerate() {
+            let error = scale * error * (1.0 + 2e-4 * f64::from(level.resolution));
+            for (at, &point) in self.points.iter().enumerate() {
+                let Some(gradients) = self.gradients(index, at) else { continue };
+                for entry in Corners::new(level, level.cell::<f32>(point)).entry {
+                    let sums = &mut sums[entry as usize * features..][..features];
+                    let all = sums.iter_mut().zip(&gradients);
+                    all.for_each(|(sum, gradient)| sum.error += error * gradient.abs());
+                }
                 // denormals count as 0: a GPU may flush them
-                let active: Vec<_> =
-                    gradients.iter().enumerate().filter(|(_, g)| g.abs() >= SMALLEST).collect();
-                if active.is_empty() {
+                let is_active = |gradient: &f64| gradient.abs() >= f64::from(f32::MIN_POSITIVE);
+                if !gradients.iter().any(is_active) {
                     continue;
                 }
-                for (entry, weight) in level.corners(exact_point(place)) {
+                for (entry, weight) in exact.corners(exact_point(point)) {
                     touched[entry * features / 64] = true;
-                    for (f, gradient) in &active {
-                        sums[entry * features + f] += weight * *gradient * f64::from(self.scale[0]);
-                    }
+                    let all = sums[entry * features..].iter_mut().zip(&gradients);
+                    all.filter(|(_, gradient)| is_active(gradient))
+                        .for_each(|(sum, gradient)| sum.value += weight * gradient * scale);
                 }
             }
         }
         (sums, touched)
     }
 
-    /// For each value, the summed sizes of its terms, in units. An error has no equation, as in `hash_grid`.
-    fn sizes(&self) -> Vec<f64> {
-        let features = self.grid.features as usize;
-        let mut sizes = vec![0.0; self.sum.len() / 2];
-        for (index, level) in self.levels.iter().enumerate() {
-            for (column, &point) in self.points.iter().enumerate() {
-                let entries = Corners::new(level, level.cell::<f32>(point)).entry;
-                let Some(gradients) = self.gradients(index, column) else { continue };
-                let position = 1.0 + 2e-4 * f64::from(level.resolution);
-                for entry in entries {
-                    for (f, gradient) in gradients.iter().enumerate() {
-                        sizes[entry as usize * features + f] +=
-                            gradient.abs() * f64::from(self.scale[0]) * position;
-                    }
-                }
-            }
-        }
-        sizes
-    }
-
     /// The values of an output, with the error of a weight. Each point may also add a part of an integer.
     fn known(&self, output: &str, error: f64) -> Vec<Option<Rounded>> {
         let is_left_out =
             |level| (0..self.points.len()).any(|point| self.gradients(level, point).is_none());
+        let (sums, touched) = self.sums(error);
+        let integers = 8.0 * f64::from(ITEMS);
+        let rounded = |sum: Rounded| match sum.error {
+            0.0 => sum,
+            _ if self.is_unrounded => Rounded::exact(sum.value),
+            error => Rounded::within(sum.value, error + integers),
+        };
         match output {
-            "sum" if self.is_unrounded => listed(self.sums().0.into_iter().map(Rounded::exact)),
-            "sum" => listed(self.sums().0.into_iter().zip(self.sizes()).map(|(sum, size)| {
-                let integers = if size > 0.0 { 8.0 * f64::from(ITEMS) } else { 0.0 };
-                Rounded::within(sum, error * size + integers)
-            })),
-            "touched" => listed(self.sums().1.into_iter().map(u32::from)),
+            "sum" => listed(sums.into_iter().map(rounded)),
+            "touched" => listed(touched.into_iter().map(u32::from)),
             _ => listed([u32::from((0..self.levels.len()).any(is_left_out))]),
         }
     }
@@ -219,11 +207,11 @@ impl Parity for HashGridBackward {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel())?;
-        let integers = outputs[0].words().as_chunks().0.iter().copied().map(integer);
-        outputs[0].values = Values::Float(integers.map(|integer| integer as f64).collect());
-        Ok(outputs)
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
+        let words = outputs[0].words();
+        let integers = words.as_chunks().0.iter().map(|&words| integer(words) as f64);
+        outputs[0] = Output::float("sum", integers);
+        outputs
     }
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {

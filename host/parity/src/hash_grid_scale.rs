@@ -11,13 +11,12 @@ use organza_shaders::limits::MAX_LAYERS;
 use super::exact::hash_grid_scale::{color_bound, largest, transmittance_bound, unit};
 
 /// The first `count` bounds as numbers; NaN counts as infinite.
-fn numbers(mut found: Vec<Output>) -> Vec<Output> {
-    let number = |&bits| {
+fn numbers(found: &[Output]) -> Vec<Output> {
+    let number = |bits| {
         let number = f32::from_bits(bits);
         if number.is_nan() { f32::INFINITY } else { number }
     };
-    found[0] = Output::float("bound", found[0].words().iter().map(number));
-    found
+    vec![Output::float("bound", found[0].words().into_iter().map(number))]
 }
 
 /// Values that must not get lost.
@@ -33,28 +32,30 @@ impl Parity for HashGridPeak {
             let params = HashGridPeakParams { pairs, color, power };
             Self(HashGridPeakInputs { params, pair_gradient, transmittance, bound: vec![0] })
         };
-        let of = |color: bool| {
-            inputs::sets(|pairs, fill, random| {
+        let mut sets = Vec::new();
+        for (kind, color) in [("transmittance", false), ("color", true)] {
+            let random = inputs::sets(|pairs, fill, random| {
                 let pair_gradient = fill.vectors(random, 3 * pairs as usize, [-1.0, 1.0], 1e30);
                 set(pair_gradient, random.values(pairs as usize, 0.0, 1.0), color, 2.0)
-            })
-        };
-        let name = |(name, set)| (format!("color, {name}"), set);
-        let bad = |(bad, color)| {
-            let mut random = Random::new(16);
-            let mut pair_gradient = Fill::Random.vectors(&mut random, 3 * 100, [-1.0, 1.0], 1.0);
-            pair_gradient[3 * 70] = Vec4::new(0.0, 0.0, 0.0, bad);
-            pair_gradient[3 * 70 + 2] = Vec4::new(0.0, bad, 0.0, 0.0);
-            let transmittance = random.values(100, 0.1, 1.0);
-            let name = format!("{bad}, {}", if color { "color" } else { "transmittance" });
-            (name, set(pair_gradient, transmittance, color, 1.0))
-        };
-        let bad = NO_NUMBERS.into_iter().flat_map(|x| [(x, false), (x, true)]).map(bad);
-        of(false).into_iter().chain(of(true).into_iter().map(name)).chain(bad).collect()
+            });
+            sets.extend(random.into_iter().map(|(name, set)| (format!("{kind}, {name}"), set)));
+            for bad in NO_NUMBERS {
+                let random = &mut Random::new(16);
+                let mut pair_gradient = Fill::Random.vectors(random, 3 * 100, [-1.0, 1.0], 1.0);
+                pair_gradient[3 * 70] = Vec4::new(0.0, 0.0, 0.0, bad);
+                pair_gradient[3 * 70 + 2] = Vec4::new(0.0, bad, 0.0, 0.0);
+                let transmittance = random.values(100, 0.1, 1.0);
+                sets.push((
+                    format!("{kind}, {bad}"),
+                    set(pair_gradient, transmittance, color, 1.0),
+                ));
+            }
+        }
+        sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        Ok(numbers(runner.run(&self.kernel())?))
+    fn convert(&self, outputs: Vec<Output>) -> Vec<Output> {
+        numbers(&outputs)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
@@ -95,8 +96,8 @@ impl Parity for HashGridNorm {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        Ok(numbers(runner.run(&self.kernel())?))
+    fn convert(&self, outputs: Vec<Output>) -> Vec<Output> {
+        numbers(&outputs)
     }
 
     /// `max_i sum_o |W[o, i]|`; the bounds of other layers stay 0.
@@ -145,12 +146,10 @@ impl Parity for HashGridScale {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel())?;
-        let scale = outputs[1].floats();
-        let bits = scale.iter().map(|&value| (value as f32).to_bits());
-        outputs[1] = Output::exact("scale", bits.collect());
-        Ok(outputs)
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
+        let bits = outputs[1].values.iter().map(|&value| (value as f32).to_bits());
+        outputs[1] = Output::exact("scale", bits);
+        outputs
     }
 
     /// The bits of the unit, its inverse and the limit.  If a bound is not finite, the limit is 0 and the unit is not used.

@@ -13,11 +13,15 @@ use super::project_backward::ProjectBackward;
 /// Values of a pose.
 const POSE: usize = VALUES as usize;
 
-// before: the sums of other parts, for the poses of all places
-case!(pub PoseBackward(PoseBackwardInputs) { set: ProjectBackward, before: Vec<f32> });
-
 /// A pair's camera, Gaussian and number.
 type Pair = [usize; 3];
+
+case!(pub PoseBackward(PoseBackwardInputs) {
+    set: ProjectBackward,
+    pairs: Vec<Pair>,
+    /// The sums of other parts, for the poses of all places.
+    before: Vec<f32>,
+});
 
 impl PoseBackward {
     fn new(set: ProjectBackward) -> Self {
@@ -26,8 +30,10 @@ impl PoseBackward {
         let before: Vec<_> = (0..values).map(|value| value as f32 / 8.0 - 1.0).collect();
         let mut first_pair = set.first_pair.clone();
         first_pair.push(set.pair_gradient.len() as u32 / 3);
-        let slots = (0..cameras).flat_map(|camera| (0..gaussians).map(move |g| (camera, g)));
-        let pairs = slots.filter(|&(camera, g)| set.pair(camera as usize, g as usize).is_some());
+        let count = gaussians as usize;
+        let slots = (0..cameras as usize).flat_map(|camera| (0..count).map(move |g| (camera, g)));
+        let pair = |(camera, gaussian)| Some([camera, gaussian, set.pair(camera, gaussian)?]);
+        let pairs: Vec<_> = slots.filter_map(pair).collect();
         let inputs = PoseBackwardInputs {
             params: PoseBackwardParams {
                 gaussians,
@@ -43,18 +49,18 @@ impl PoseBackward {
             rotation: set.rotation.clone(),
             log_scale: set.log_scale.clone(),
             first_pair,
-            pair: pairs.map(|(camera, gaussian)| camera * gaussians + gaussian).collect(),
+            pair: pairs.iter().map(|[camera, g, _]| (camera * count + g) as u32).collect(),
             pair_gradient: set.pair_gradient.clone(),
             sum: write_sums(&before),
         };
-        Self { inputs, set, before }
+        Self { inputs, set, pairs, before }
     }
 
     /// The same with gradients of conics alone, so that all pairs have terms of one size, or none. Otherwise the terms of means and
     /// of needles would hide the others.
     fn conics(&self) -> Self {
         let mut set = self.set.clone();
-        for pair in self.pairs() {
+        for &pair in &self.pairs {
             let first = 3 * pair[2];
             set.pair_gradient[first] = Vec4::ZERO;
             let slopes = derivatives(&set, pair);
@@ -63,17 +69,6 @@ impl PoseBackward {
             set.pair_gradient[first + 1] *= factor;
         }
         Self::new(set)
-    }
-
-    /// The pairs of all cameras, in order.
-    fn pairs(&self) -> Vec<Pair> {
-        let slots = self.pair.iter().enumerate();
-        let place = |slot: u32| [slot / self.params.gaussians, slot % self.params.gaussians];
-        let pair = |(pair, &slot): (usize, &u32)| {
-            let [camera, gaussian] = place(slot).map(|at| at as usize);
-            [camera, gaussian, pair]
-        };
-        slots.map(pair).collect()
     }
 
     /// A camera's place: backwards, with one between two.
@@ -146,15 +141,14 @@ impl Parity for PoseBackward {
         for camera in 0..self.set.forward.cameras.len() {
             inputs.params.camera = camera as u32;
             inputs.params.place = self.place(camera) as u32;
-            inputs.sum = runner.run(&inputs.kernel())?[0].words().to_vec();
+            inputs.sum = runner.run(&inputs.kernel())?[0].words();
         }
-        let values = read_sums(&inputs.sum, self.before.len());
-        Ok(vec![Output { name: "sum", values: Values::Float(values) }])
+        Ok(vec![Output::float("sum", read_sums(&inputs.sum, self.before.len()))])
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let mut exact: Vec<_> = self.before.iter().copied().map(Rounded::from).collect();
-        for pair in self.pairs() {
+        for &pair in &self.pairs {
             let sums = &mut exact[POSE * self.place(pair[0])..][..POSE];
             let found = derivatives(&self.set, pair);
             sums.iter_mut().zip(found).for_each(|(sum, found)| *sum = *sum + found);

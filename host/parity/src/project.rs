@@ -194,29 +194,20 @@ impl Parity for Project {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel())?;
-        let projection = outputs.remove(0);
-        let places = projection.floats().as_chunks::<8>().0;
-        let places = places.iter().map(|place| place.map(|x| x as f32));
-        let class = |p: [f32; 8]| match p[2] {
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
+        let mut radii: Vec<_> = outputs[0].values.iter_mut().skip(2).step_by(8).collect();
+        let class = |radius: &&mut f64| match **radius as f32 {
             BEHIND => 1,
             DEGENERATE => 2,
             ELSEWHERE => 3,
             radius if radius >= 0.0 => 0,
             _ => 4,
         };
-        outputs.extend([
-            Output::exact("class", places.clone().map(class).collect()),
-            // a negative radius is a class
-            Output::float(
-                "values",
-                places.flat_map(|[x, y, radius, width, xx, xy, yy, height]| {
-                    [x, y, radius.max(0.0), width, xx, xy, yy, height]
-                }),
-            ),
-        ]);
-        Ok(outputs)
+        let classes = Output::exact("class", radii.iter().map(class));
+        // a negative radius is a class
+        radii.iter_mut().for_each(|radius| **radius = radius.max(0.0));
+        outputs.push(classes);
+        outputs
     }
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {

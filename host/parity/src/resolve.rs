@@ -28,7 +28,7 @@ impl Resolve {
                 divide_above: DIVIDE_ABOVE,
             },
             tile: pack(&tiles),
-            sum: planes(&sum.collect::<Vec<_>>(), area),
+            sum: planes(sum, area),
             image: unwritten(3 * pixels),
         })
     }
@@ -92,6 +92,6 @@ impl Parity for ResolveBackward {
                 }))
             })
         };
-        listed(planes(&(0..self.sum.len() / 4).map(of).collect::<Vec<_>>(), area))
+        listed(planes((0..self.sum.len() / 4).map(of), area))
     }
 }

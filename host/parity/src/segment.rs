@@ -109,44 +109,33 @@ impl Segment {
             let length = a.distance(b);
             let within =
                 |x: Rounded, scale| Rounded::within(x.value, 5e-7 * scale + f64::from(TINY));
-            let exact = |x: Rounded| Rounded::exact(x.value);
-            if self.is_contracted() {
+            let factor = |factor, count: Rounded, scale: f64| {
+                within(factor, scale / self.step() / count.value.max(1.0))
+            };
+            let (count, values) = if self.is_contracted() {
                 let ray = contracted_ray(p, eye, self.step());
-                if output == "count" {
-                    return vec![exact(ray.count)];
-                }
                 let size = 1.0 + a.length() + b.length();
                 let scale = size * (1.0 + size / length) + self.world(slot);
-                let factor = within(ray.factor, scale / self.step() / ray.count.value.max(1.0));
+                let [[a, b, c], [d, e, f]] =
+                    [ray.foot, ray.direction].map(|of| of.map(|x| within(x, scale)));
+                let factor = factor(ray.factor, ray.count, scale);
                 let [begin, end] = ray.ends;
-                let after = ray.direction.into_iter().chain([ray.radius, begin, end - begin]);
-                let after = after.map(|x| within(x, scale)).chain([0.into(); 6]);
-                let foot = ray.foot.map(|x| within(x, scale));
-                return foot.into_iter().chain([factor]).chain(after).collect();
-            }
-            let found = segment(p, eye, self.step());
-            if output == "count" {
-                return vec![exact(found.count)];
-            }
-            let size = 1.0 + a.length() + length;
-            let scale = size + self.world(slot);
-            let factor = within(found.factor, scale / self.step() / found.count.value.max(1.0));
-            let place = |x| within(x, of_place(size, scale));
-            let [[a, b, c], [d, e, f]] = [found.start, found.way].map(|of| of.map(place));
-            vec![a, b, c, factor, d, e, f, 0.into()]
+                let [r, s, t] = [ray.radius, begin, end - begin].map(|x| within(x, scale));
+                let known = [a, b, c, factor, d, e, f, r, s, t];
+                (ray.count, [&known[..], &[0.into(); 6]].concat())
+            } else {
+                let found = segment(p, eye, self.step());
+                let size = 1.0 + a.length() + length;
+                let scale = size + self.world(slot);
+                let place = |x| within(x, of_place(size, scale));
+                let [[a, b, c], [d, e, f]] = [found.start, found.way].map(|of| of.map(place));
+                let factor = factor(found.factor, found.count, scale);
+                (found.count, vec![a, b, c, factor, d, e, f, 0.into()])
+            };
+            if output == "count" { vec![Rounded::exact(count.value)] } else { values }
         };
         listed(self.pair.iter().flat_map(of))
     }
-}
-
-/// Coarse and fine parts of `[pairs, 4]` segments, added: s and `s_factor`, w and 0.
-fn joined(segment: &[f64]) -> Vec<f64> {
-    let (segments, _) = segment.as_chunks::<{ 4 * SEGMENT_VECTORS as usize }>();
-    let added = segments.iter().flat_map(|segment| {
-        let (coarse, fine) = segment.split_at(segment.len() / 2);
-        coarse.iter().zip(fine).map(|(coarse, fine)| coarse + fine)
-    });
-    added.collect()
 }
 
 impl Parity for Segment {
@@ -176,12 +165,14 @@ impl Parity for Segment {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel())?;
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
         if !self.is_contracted() {
-            outputs[0].values = Values::Float(joined(outputs[0].floats()));
+            // coarse and fine parts: s and `s_factor`, w and 0
+            let (segments, _) = outputs[0].values.as_chunks::<16>();
+            let sums = segments.iter().flat_map(|of| (0..8).map(|at| of[at] + of[at + 8]));
+            outputs[0].values = sums.collect();
         }
-        Ok(outputs)
+        outputs
     }
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {

@@ -37,6 +37,7 @@ impl TileMask {
         let x = fill.values(&mut random, slots, [-60.0, 200.0], 1e30);
         let y = fill.values(&mut random, slots, [-60.0, 200.0], 1e30);
         let r = fill.values(&mut random, slots, [0.0, 60.0], 1e30);
+        let tiles = tiles();
         let mut projection = Vec::with_capacity(2 * slots);
         for slot in 0..slots {
             let radius = match random.below(8) {
@@ -44,36 +45,25 @@ impl TileMask {
                 1 => DEGENERATE,
                 _ => r[slot].abs(),
             };
-            projection.push(Vec4::new(x[slot], y[slot], radius, 0.0));
+            let mut place = Vec4::new(x[slot], y[slot], radius, 0.0);
+            let camera = slot as u32 / gaussians;
+            let mut of_camera = tiles.iter().filter(|tile| tile.camera == camera);
+            // rounding must not decide whether it is an intersection
+            if of_camera.any(|tile| reaches(place, tile, side).is_none()) {
+                place.z = BEHIND;
+            }
             // nothing may depend on the conic
-            projection.push(Vec4::splat(f32::NAN));
+            projection.extend([place, Vec4::splat(f32::NAN)]);
         }
-        let tiles = tiles();
         let words = gaussians.div_ceil(32);
         let len = tiles.len() * words as usize;
-        let mut set = Self(TileMaskInputs {
+        Self(TileMaskInputs {
             params: TileMaskParams { gaussians, words, side },
             tile: pack(&tiles),
             projection,
             mask: unwritten(len),
             count: unwritten(len),
-        });
-        set.leave_the_margin();
-        set
-    }
-
-    /// Moves Gaussians behind the camera if rounding decides whether they are intersections.
-    fn leave_the_margin(&mut self) {
-        let TileMaskParams { gaussians, side, .. } = self.params;
-        for tile in tiles() {
-            let first = 2 * (tile.camera * gaussians) as usize;
-            let of_camera = self.projection.iter_mut().skip(first).step_by(2);
-            for p in of_camera.take(gaussians as usize) {
-                if reaches(*p, &tile, side).is_none() {
-                    p.z = BEHIND;
-                }
-            }
-        }
+        })
     }
 }
 
@@ -141,16 +131,12 @@ impl Parity for TileFill {
         let words = self.params.words as usize;
         let gaussians = 32 * self.params.words as usize;
         let pairs: Vec<_> = bits(&self.pair_mask).collect();
-        let tiles = tiles();
-        let intersections = tiles.iter().enumerate().flat_map(|(t, tile)| {
-            let intersections = bits(&self.tile_mask[t * words..][..words]);
-            let slots: Vec<_> =
-                intersections.map(|gaussian| tile.camera as usize * gaussians + gaussian).collect();
-            slots
-                .into_iter()
-                .map(|slot| pairs.binary_search(&slot).expect("intersections are pairs"))
+        let slots = tiles().into_iter().enumerate().flat_map(|(t, tile)| {
+            let first = tile.camera as usize * gaussians;
+            bits(&self.tile_mask[t * words..][..words]).map(move |gaussian| first + gaussian)
         });
-        listed(intersections.map(|pair| pair as u32))
+        let pair = |slot| pairs.binary_search(&slot).expect("intersections are pairs") as u32;
+        listed(slots.map(pair))
     }
 }
 

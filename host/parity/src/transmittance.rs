@@ -10,8 +10,8 @@ use organza_shaders::transmittance::{
 };
 use organza_shaders::unit_cube::Split;
 
-use super::color::{joined, layer_of_size};
-use super::dense::Dense;
+use super::color::joined;
+use super::dense::{Dense, head_sets};
 use super::exact::occupancy::OccupancyGrid;
 use super::exact::segment::{ContractedRay, contracted_ray};
 use super::exact::transmittance::{log_rho, midpoint, transmittance};
@@ -169,67 +169,48 @@ impl Parity for TransmittanceInputs {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let stride = self.params.stride as usize;
-        let mut outputs = runner.run(&self.kernel())?;
-        let factor = Values::Float(joined(&mut outputs[0], stride));
-        outputs.push(Output { name: "s_factor", values: factor });
-        Ok(outputs)
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
+        let factor = joined(&mut outputs[0], self.params.stride as usize);
+        outputs.push(Output::float("s_factor", factor));
+        outputs
     }
 
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<Rounded>> {
-        let stride = self.params.stride as usize;
-        let tiny = f64::from(TINY);
-        // a place on the ray and a point in two parts: roundings, and a division of 3 ulp, of the second, below 1/1024
-        let point_error = if self.params.contracted == 1 { 1e-6 } else { 1e-9 };
-        let mut exact = vec![None; len];
-        for column in 0..self.params.samples as usize {
-            let pair = owner(&self.first_sample, column);
-            let k = FIRST_SAMPLE + column as u32 - self.first_sample[pair];
-            let count = self.first_sample[pair + 1] - self.first_sample[pair];
-            let mut give = |row: usize, value| exact[row * stride + column] = Some(value);
-            match output {
-                "point" => {
-                    let point = self.midpoint(pair, k, count).into_iter().enumerate();
-                    point.for_each(|(row, x)| give(row, Rounded::within(x, point_error + tiny)));
-                }
-                "s_factor" if self.params.occupancy == 0 => {
-                    give(0, self.segment[4 * pair].w.into())
-                }
-                "s_factor" => {
-                    let point = self.midpoint(pair, k, count);
-                    let occupied = self.grid().occupied(&self.occupancy, point);
-                    // the weights of a cell's corners, as one f32 knows them
-                    let factor = f64::from(self.segment[4 * pair].w) * occupied;
-                    give(0, Rounded::within(factor, 1e-6 + tiny));
-                }
-                _ => {
-                    let gaussian = (self.pair[pair] % self.params.gaussians) as usize;
-                    let extra = self.extra[2 * gaussian..][..2].iter().enumerate();
-                    extra.for_each(|(row, &value)| give(1 + row, value.into()));
-                }
-            }
+    fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
+        let TransmittanceInputsParams { stride, samples, gaussians, .. } = self.params;
+        let [row, column] = [index / stride as usize, index % stride as usize];
+        if column >= samples as usize {
+            return None;
         }
-        exact
+        let pair = owner(&self.first_sample, column);
+        if output == "input" {
+            let gaussian = (self.pair[pair] % gaussians) as usize;
+            let at = row.checked_sub(1).filter(|&at| at < 2)?;
+            return Some(self.extra[2 * gaussian + at].into());
+        }
+        let factor = self.segment[4 * pair].w;
+        if output == "s_factor" && self.params.occupancy == 0 {
+            return Some(factor.into());
+        }
+        let k = FIRST_SAMPLE + column as u32 - self.first_sample[pair];
+        let point = self.midpoint(pair, k, self.first_sample[pair + 1] - self.first_sample[pair]);
+        let (value, error) = match output {
+            // a place on the ray and a point in two parts: roundings, and a division of 3 ulp, of the second, below 1/1024
+            "point" if self.params.contracted == 0 => (point[row], 1e-9),
+            "point" => (point[row], 1e-6),
+            // the weights of a cell's corners, as one f32 knows them
+            _ => (f64::from(factor) * self.grid().occupied(&self.occupancy, point), 1e-6),
+        };
+        Some(Rounded::within(value, error + f64::from(TINY)))
     }
-}
-
-/// Layers with logits of all sizes, and samples of every kind.
-pub(super) fn head_sets<S>(new: impl Fn(Dense, Fill, &mut Random) -> S) -> Vec<(String, S)> {
-    let mut sets =
-        inputs::sets(|n, fill, random| new(Dense::new(n, 16, 1, fill, random), fill, random));
-    for size in [0.01, 10.0, 50.0, 1e4] {
-        let set = new(layer_of_size(size), Fill::Random, &mut Random::new(6));
-        sets.push((format!("logits of {size}"), set));
-    }
-    sets
 }
 
 /// Points `[7, stride]`. The heads read only the factors.
-pub(super) fn points(layer: &Dense, factor: &[f32]) -> Vec<f32> {
-    let mut point = vec![f32::NAN; (POINT_ROWS * layer.params.stride) as usize];
-    point.extend(factor);
-    point
+pub(super) fn points(layer: &Dense, fill: Fill, random: &mut Random) -> Vec<f32> {
+    let stride = layer.params.stride as usize;
+    let factors = fill.values(random, stride, [0.0, 1.0], 1.0);
+    let mut points = vec![f32::NAN; POINT_ROWS as usize * stride];
+    points.extend(factors.into_iter().map(f32::abs));
+    points
 }
 
 /// A sample's factor in [`points`].
@@ -243,12 +224,10 @@ case!(pub TransmittanceHead(TransmittanceHeadInputs) { layer: Dense });
 impl Parity for TransmittanceHead {
     fn sets() -> Vec<(String, Self)> {
         head_sets(|layer, fill, random| {
-            let factor = fill.values(random, layer.params.stride as usize, [0.0, 1.0], 1.0);
-            let factor: Vec<_> = factor.into_iter().map(f32::abs).collect();
             let inputs = TransmittanceHeadInputs {
                 params: layer.head_params(FIRST_SAMPLE),
                 parameters: layer.parameters.clone(),
-                point: points(&layer, &factor),
+                point: points(&layer, fill, random),
                 input: layer.input.clone(),
                 log_rho: unwritten((FIRST_SAMPLE + layer.params.samples) as usize),
             };

@@ -6,11 +6,9 @@ use organza_shaders::transmittance_backward::{
     SegmentProductBackwardParams, TransmittanceHeadBackwardInputs,
 };
 
-use super::dense::Dense;
+use super::dense::{Dense, head_sets};
 use super::exact::transmittance::log_rho;
-use super::transmittance::{
-    FIRST_SAMPLE, factor, head_sets, long_pairs, owner, points, some_pairs,
-};
+use super::transmittance::{FIRST_SAMPLE, factor, long_pairs, owner, points, some_pairs};
 
 /// Samples behind the chunk.
 const AFTER: u32 = 2;
@@ -90,12 +88,10 @@ impl Parity for TransmittanceHeadBackward {
     fn sets() -> Vec<(String, Self)> {
         head_sets(|layer, fill, random| {
             let len = layer.params.stride as usize;
-            let factor = fill.values(random, len, [0.0, 1.0], 1.0);
-            let factor: Vec<_> = factor.into_iter().map(f32::abs).collect();
             let inputs = TransmittanceHeadBackwardInputs {
                 params: layer.head_params(FIRST_SAMPLE),
                 parameters: layer.parameters.clone(),
-                point: points(&layer, &factor),
+                point: points(&layer, fill, random),
                 input: layer.input.clone(),
                 log_rho_gradient: fill.values(random, len, [-1.0, 1.0], 1e30),
                 logit_gradient: unwritten(layer.params.samples as usize),

@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::ops::Deref;
 
 use crate::number::Rounded;
-use crate::{Canary, KernelRunner, Measure, Output, Values};
+use crate::{Canary, KernelRunner, Measure, Output};
 use muslin_device::{Device, Result};
 use muslin_kernel::given::Inputs;
 
@@ -92,7 +92,7 @@ fn run<P: Parity>(device: &Device, set: &str) -> Result<()> {
 
 /// The equations' values for all elements of an output.
 fn exact<P: Parity>(set: &P, output: &Output, rounding: Rounding) -> Vec<Option<Rounded>> {
-    let all = output.len();
+    let all = output.values.len();
     let mut exact = match rounding {
         Rounding::AsWritten => set.exact(output.name, all),
         Rounding::Regrouped => set.exact_regrouped(output.name, all),
@@ -135,38 +135,23 @@ fn compare_with_exact<P: Parity>(device: &Device, rounding: Rounding) -> Result<
 
 /// Compares one output of a set.
 fn add(measure: &mut Measure, name: &str, output: &Output, exact: &[Option<Rounded>]) {
-    let found = output.to_f64();
-    let is_float = matches!(output.values, Values::Float(_));
-    let unwritten = if is_float { f64::from(f32::CANARY) } else { f64::from(u32::CANARY) };
+    let canary = if output.is_exact { f64::from(u32::CANARY) } else { f64::from(f32::CANARY) };
     let expected = |(exact, found): (&Option<Rounded>, &f64)| match exact {
-        Some(exact) if is_float => *exact,
-        Some(exact) if exact.error.is_finite() => Rounded::exact(exact.value),
-        Some(_) => Rounded::UNKNOWN,
-        None if is_canary(*found, is_float) => Rounded::exact(*found),
-        None => Rounded::exact(unwritten),
+        Some(exact) if output.is_exact && exact.error.is_finite() => Rounded::exact(exact.value),
+        Some(exact) => *exact,
+        // an output that is the sum of two rows has two canaries
+        None if !output.is_exact && *found == 2.0 * canary => Rounded::exact(*found),
+        None => Rounded::exact(canary),
     };
-    let expected: Vec<_> = exact.iter().zip(&found).map(expected).collect();
+    let expected: Vec<_> = exact.iter().zip(&output.values).map(expected).collect();
     let compared = exact.iter().flatten().filter(|exact| exact.error.is_finite()).count();
     let written = exact.iter().flatten().count();
-    let values = expected.iter().map(|exact| exact.value).collect();
+    let values = expected.iter().map(|exact| exact.value);
     let all = measure.values;
-    let found = Output { name: output.name, values: Values::Float(found) };
-    measure.add(
-        name,
-        &Output { values: Values::Float(values), ..found.clone() },
-        &found,
-        |index| expected[index],
-    );
+    measure.add(name, &Output::float(output.name, values), output, |index| expected[index]);
     measure.values = all + compared;
     let share = measure.compared.entry(output.name).or_default();
     *share = [share[0] + compared, share[1] + written];
-}
-
-/// Whether a kernel has not written an element. An output that is the sum of two rows has two canaries.
-fn is_canary(found: f64, is_float: bool) -> bool {
-    let float = f64::from(f32::CANARY);
-    let integer = f64::from(u32::CANARY);
-    if is_float { found == float || found == 2.0 * float } else { found == integer }
 }
 
 /// A set of a kernel's inputs, and the kernel's equation. [`case!`](crate::case!) declares the type.
@@ -181,12 +166,17 @@ pub trait Parity: Deref<Target: Inputs> + Sized + 'static {
     /// The sets of inputs, each with a name.
     fn sets() -> Vec<(String, Self)>;
 
-    /// Runs the kernel. A case may change outputs here, to the form that its equation has.
+    /// Runs the kernel.
     ///
     /// # Errors
     /// Any error of the device.
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel())
+        Ok(self.convert(runner.run(&self.kernel())?))
+    }
+
+    /// The outputs, in the form that the equation has.
+    fn convert(&self, outputs: Vec<Output>) -> Vec<Output> {
+        outputs
     }
 
     /// The equation, for an element of an output: its value, and the error allowed. `None` for an element that the kernel does

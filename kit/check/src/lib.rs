@@ -85,6 +85,6 @@ pub use muslin_device::Result;
 pub use case::{Parity, Rounding, cases};
 #[doc(hidden)]
 pub use linkme;
-pub use measure::{Measure, Output, Values, Worst};
+pub use measure::{Measure, Output, Worst};
 pub use report::{Report, Row};
 pub use runner::{Canary, KernelRunner, unwritten};

@@ -12,69 +12,27 @@ use crate::number::Rounded;
 pub struct Output {
     /// Name, usually the binding's.
     pub name: &'static str,
-    /// Values of the output.
-    pub values: Values,
-}
-
-/// Values of an output.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Values {
-    /// Numbers that may differ by rounding. f64 represents every f32 exactly, and sums of two.
-    Float(Vec<f64>),
-    /// Numbers that must have equal bits.
-    Exact(Vec<u32>),
-    /// Numbers with a sign that must have equal bits.
-    Signed(Vec<i32>),
+    /// Its values. f64 represents every f32 and integer exactly, and sums of two.
+    pub values: Vec<f64>,
+    /// Whether they must be equal, as integers must be. Others may differ by rounding.
+    pub is_exact: bool,
 }
 
 impl Output {
     /// An output that may differ by rounding.
-    pub fn float(name: &'static str, values: impl IntoIterator<Item = f32>) -> Self {
-        Self { name, values: Values::Float(values.into_iter().map(f64::from).collect()) }
+    pub fn float(name: &'static str, values: impl IntoIterator<Item = impl Into<f64>>) -> Self {
+        Self { name, values: values.into_iter().map(Into::into).collect(), is_exact: false }
     }
 
-    /// An output that must have equal bits.
-    #[must_use]
-    pub fn exact(name: &'static str, values: Vec<u32>) -> Self {
-        Self { name, values: Values::Exact(values) }
+    /// An output of integers, which must be equal.
+    pub fn exact(name: &'static str, values: impl IntoIterator<Item = impl Into<f64>>) -> Self {
+        Self { is_exact: true, ..Self::float(name, values) }
     }
 
-    /// The numbers of an output that may differ by rounding; empty for other outputs.
+    /// The values of an output of `u32`.
     #[must_use]
-    pub fn floats(&self) -> &[f64] {
-        match &self.values {
-            Values::Float(values) => values,
-            Values::Exact(_) | Values::Signed(_) => &[],
-        }
-    }
-
-    /// The numbers of an output that must be equal to the bit; none otherwise.
-    #[must_use]
-    pub fn words(&self) -> &[u32] {
-        match &self.values {
-            Values::Float(_) | Values::Signed(_) => &[],
-            Values::Exact(values) => values,
-        }
-    }
-
-    /// Number of elements.
-    #[must_use]
-    pub(crate) fn len(&self) -> usize {
-        match &self.values {
-            Values::Float(values) => values.len(),
-            Values::Exact(values) => values.len(),
-            Values::Signed(values) => values.len(),
-        }
-    }
-
-    /// The values as f64.
-    #[must_use]
-    pub fn to_f64(&self) -> Vec<f64> {
-        match &self.values {
-            Values::Float(values) => values.clone(),
-            Values::Exact(values) => values.iter().copied().map(f64::from).collect(),
-            Values::Signed(values) => values.iter().copied().map(f64::from).collect(),
-        }
+    pub fn words(&self) -> Vec<u32> {
+        self.values.iter().map(|&value| value as u32).collect()
     }
 }
 
@@ -129,19 +87,17 @@ impl Measure {
         found: &Output,
         allowed: impl Fn(usize) -> Rounded,
     ) {
-        let is_exact = !matches!(cpu.values, Values::Float(_));
-        let expected = cpu.to_f64();
-        let actual = found.to_f64();
+        let [expected, actual] = [cpu, found].map(|output| &output.values);
         assert_eq!(expected.len(), actual.len(), "lengths of `{}` differ", cpu.name);
         self.values += expected.len();
-        for (index, (&cpu_value, &value)) in expected.iter().zip(&actual).enumerate() {
+        for (index, (&cpu_value, &value)) in expected.iter().zip(actual).enumerate() {
             // equal infinities, too
             if cpu_value == value {
                 continue;
             }
             let difference = nan_is_infinite((cpu_value - value).abs());
             let Rounded { error, terms, .. } =
-                if is_exact { Rounded::exact(cpu_value) } else { allowed(index) };
+                if cpu.is_exact { Rounded::exact(cpu_value) } else { allowed(index) };
             // an equation's number may be too large for an f32
             let is_beyond = cpu_value.is_finite() && cpu_value.abs() > f64::from(f32::MAX);
             if (error.is_infinite() || is_beyond && error > 0.0) && !value.is_nan() {
@@ -150,13 +106,13 @@ impl Measure {
             let share = if error > 0.0 { difference / error } else { f64::INFINITY };
             let share = nan_is_infinite(share);
             self.failures += usize::from(share > 1.0);
-            let worst = |value: f64| Worst {
-                value,
+            let worst = |size: f64| Worst {
+                value: size,
                 set: set.to_owned(),
                 output: cpu.name,
                 index,
                 cpu: cpu_value,
-                found: actual[index],
+                found: value,
             };
             raise(&mut self.share, share, worst);
             if terms < 1e9 {
@@ -199,7 +155,7 @@ mod tests {
     fn measure(cpu: Output, found: Output, tolerance: f64) -> Measure {
         let mut measure = Measure::default();
         measure.add("set", &cpu, &found, |index| {
-            let value = cpu.floats()[index];
+            let value = cpu.values[index];
             let size = value.abs().min(f32::MAX.into());
             Rounded::within(value, tolerance * size + f64::from(TINY))
         });
@@ -234,8 +190,8 @@ mod tests {
 
     #[test]
     fn integers_are_equal_or_wrong() {
-        let apart = measure(Output::exact("n", vec![7, 8]), Output::exact("n", vec![7, 9]), 1.0);
+        let apart = measure(Output::exact("n", [7, 8]), Output::exact("n", [7, 9]), 1.0);
         assert_eq!((apart.failures, apart.absolute.index), (1, 1));
-        assert!(measure(Output::exact("n", vec![7]), Output::exact("n", vec![7]), 0.0).is_ok());
+        assert!(measure(Output::exact("n", [7]), Output::exact("n", [7]), 0.0).is_ok());
     }
 }

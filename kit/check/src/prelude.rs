@@ -2,6 +2,6 @@
 
 pub use crate::inputs::{self, Fill, ITEMS, Random, SIZES};
 pub use crate::number::{Dual, Number, Rounded, gradient, listed};
-pub use crate::{KernelRunner, Output, Parity, Result, Values, case, unwritten};
+pub use crate::{KernelRunner, Output, Parity, Result, case, unwritten};
 pub use muslin_kernel::given::Inputs;
 pub use muslin_kernel::math::TINY;

@@ -5,7 +5,7 @@ use glam::Vec4;
 use muslin_kernel::given::Given;
 use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, Items, Storage};
 
-use super::measure::{Output, Values};
+use super::measure::Output;
 use muslin_device::{Buffer, Device, Error, Host, Result};
 use muslin_kernel::KernelInfo;
 
@@ -241,15 +241,15 @@ fn canaries(binding: &BindingInfo) -> [u32; 2] {
 
 /// The outputs of a kernel, by the names of their bindings.
 fn output(binding: &BindingInfo, words: Vec<u32>) -> Output {
-    let float = |word| f64::from(f32::from_bits(word));
-    let values = match element(binding) {
-        _ if is_float(binding) => Values::Float(words.into_iter().map(float).collect()),
-        "i32" | "IVec2" | "IVec4" => {
-            Values::Signed(words.into_iter().map(u32::cast_signed).collect())
+    match element(binding) {
+        _ if is_float(binding) => {
+            Output::float(binding.name, words.into_iter().map(f32::from_bits))
         }
-        _ => Values::Exact(words),
-    };
-    Output { name: binding.name, values }
+        "i32" | "IVec2" | "IVec4" => {
+            Output::exact(binding.name, words.into_iter().map(u32::cast_signed))
+        }
+        _ => Output::exact(binding.name, words),
+    }
 }
 
 /// A kernel with buffers of a device.

@@ -70,12 +70,9 @@ impl Parity for KeepPositive {
     }
 
     /// The kept values come in any order, so they are sorted.
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel())?;
-        if let Values::Float(kept) = &mut outputs[0].values {
-            kept.chunks_exact_mut(self.params.columns as usize).for_each(sort);
-        }
-        Ok(outputs)
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
+        outputs[0].values.chunks_exact_mut(self.params.columns as usize).for_each(sort);
+        outputs
     }
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
@@ -206,12 +203,9 @@ impl Parity for AsWritten {
         vec![("pairs".into(), Self(AsWrittenInputs { params, x, y, bits }))]
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel())?;
-        let bits = outputs[0].words().iter();
-        let numbers = bits.map(|bits| shown(f32::from_bits(*bits).into())).collect();
-        outputs[0].values = Values::Float(numbers);
-        Ok(outputs)
+    fn convert(&self, outputs: Vec<Output>) -> Vec<Output> {
+        let bits = outputs[0].words().into_iter();
+        vec![Output::float("bits", bits.map(|bits| shown(f32::from_bits(bits).into())))]
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
@@ -245,16 +239,14 @@ impl Parity for Compared {
     }
 
     /// The bits of NaN are not known, and zeros are equal.
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel())?;
+    fn convert(&self, outputs: Vec<Output>) -> Vec<Output> {
         let flags = 17 * self.x.len();
-        let value = |(index, &word)| match index < flags {
+        let value = |(index, word)| match index < flags {
             true => f64::from(word),
             false => shown(f64::from(f32::from_bits(word)) + 0.0),
         };
-        let values = outputs[0].words().iter().enumerate().map(value).collect();
-        outputs[0].values = Values::Float(values);
-        Ok(outputs)
+        let words = outputs[0].words().into_iter().enumerate();
+        vec![Output::float("found", words.map(value))]
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {

@@ -51,11 +51,9 @@ macro_rules! methods {
             }
 
             /// An output for each method.
-            fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-                let outputs = runner.run(&self.kernel())?;
-                let rows = outputs[0].words().chunks(self.x.len());
-                let rows = $methods.iter().zip(rows);
-                Ok(rows.map(|(method, row)| Output::exact(method, row.to_vec())).collect())
+            fn convert(&self, outputs: Vec<Output>) -> Vec<Output> {
+                let rows = $methods.iter().zip(outputs[0].values.chunks(self.x.len()));
+                rows.map(|(method, row)| Output::exact(method, row.to_vec())).collect()
             }
 
             fn exact_at(&self, method: &str, index: usize) -> Option<Rounded> {

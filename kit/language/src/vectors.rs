@@ -32,14 +32,13 @@ impl Parity for VectorMethods {
     }
 
     /// An output for each method. A vector has SIMD on some CPUs, which loses the sign of zero.
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let outputs = runner.run(&self.kernel())?;
-        let rows = METHODS.iter().zip(outputs[0].words().chunks(self.x.len()));
-        let words = |method: &str, row: &[u32]| match method.starts_with("math::") {
-            true => row.to_vec(),
-            false => row.iter().copied().map(without_negative_zero).collect(),
+    fn convert(&self, outputs: Vec<Output>) -> Vec<Output> {
+        let words = outputs[0].words();
+        let output = |(&method, row): (&&'static str, &[u32])| match method.starts_with("math::") {
+            true => Output::exact(method, row.to_vec()),
+            false => Output::exact(method, row.iter().copied().map(without_negative_zero)),
         };
-        Ok(rows.map(|(method, row)| Output::exact(method, words(method, row))).collect())
+        METHODS.iter().zip(words.chunks(self.x.len())).map(output).collect()
     }
 
     fn exact_at(&self, method: &str, index: usize) -> Option<Rounded> {

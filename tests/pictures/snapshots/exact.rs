@@ -18,7 +18,8 @@ fn wide<const N: usize>(values: [f32; N]) -> [f64; N] {
 pub fn harmonics(scene: &Scene, camera: &Camera, gaussian: usize) -> Vec<f64> {
     let position = wide(scene.gaussians.position[gaussian]);
     let direction = spherical_harmonics::direction(camera.eye(), position);
-    spherical_harmonics::harmonics(scene.config.sh_degree, direction)
+    let count = (scene.config.sh_degree as usize + 1).pow(2);
+    (0..count).map(|at| spherical_harmonics::harmonic(at, direction)).collect()
 }
 
 /// A Gaussian's features in the color grid.

@@ -28,9 +28,7 @@ impl View {
             size: camera.size.as_dvec2().to_array(),
         }
     }
-}
 
-impl View {
     /// A point of the world in the camera's space: right, down, forward.
     pub fn place<N: Number>(&self, position: [N; 3]) -> [N; 3] {
         let offset = std::array::from_fn(|axis| position[axis] - N::from(self.eye[axis]));

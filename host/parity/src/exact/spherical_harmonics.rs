@@ -9,14 +9,10 @@ pub fn direction(eye: [f64; 3], center: [f64; 3]) -> [f64; 3] {
     v.map(|x| x / length)
 }
 
-/// The harmonics of the bands 0 to `degree`. Band l and order m are at `l*l + l + m`.
-pub fn harmonics(degree: u32, direction: [f64; 3]) -> Vec<f64> {
-    let bands = 0..=degree as i32;
-    bands.flat_map(|l| (-l..=l).map(move |m| harmonic(l, m, direction))).collect()
-}
-
-/// The harmonic of band l and order m, from angles and Rodrigues' associated Legendre functions.
-fn harmonic(l: i32, m: i32, [x, y, z]: [f64; 3]) -> f64 {
+/// The harmonic of band l and order m, which is at `l*l + l + m`: from angles and Rodrigues' associated Legendre functions.
+pub fn harmonic(at: usize, [x, y, z]: [f64; 3]) -> f64 {
+    let l = at.isqrt() as i32;
+    let m = at as i32 - l * l - l;
     let order = m.abs();
     let factorial = |n: i32| (1..=n).map(f64::from).product::<f64>();
     let sine = (1.0 - z * z).max(0.0).sqrt();

@@ -182,7 +182,7 @@ def one_size(cameras: Cameras) -> tuple[int, int]:
     sizes = set(cameras.sizes)
     if len(sizes) != 1:
         reason = f"whole images need cameras of one size, found {sorted(sizes)}"
-        raise ValueError(f"{reason}: render those of one size at a time, or tiles")
+        raise ValueError(f"{reason}: render cameras of one size at a time, or tiles")
     return sizes.pop()
 
 

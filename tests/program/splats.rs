@@ -123,7 +123,7 @@ fn a_run_keeps_the_fit_of_its_export() {
 /// What rounding costs is the difference to a file that rounds nothing. Without most harmonics, it may cost nothing, but the
 /// images are others.
 #[test]
-fn the_printed_psnr_is_that_of_the_file() {
+fn the_printed_psnr_is_the_files() {
     let sandbox = sandbox();
     let export = |scene: &str, file: &str| {
         let words = format!("export {scene} around.json -o {file} --steps 20 --backend cpu");

@@ -323,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn a_share_of_the_peaks_is_that_of_the_nearer_one() {
+    fn a_share_of_the_peaks_is_the_larger_one() {
         let peaks = Peaks { gflops: 100.0, gbs: 10.0 };
         for (gflops, gbs, expected) in [
             (None, None, None),

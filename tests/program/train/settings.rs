@@ -52,7 +52,7 @@ fn list() -> String {
 
 /// `INSTA_UPDATE=always` writes the list into the page.
 #[test]
-fn the_list_of_settings_is_that_of_the_program() {
+fn the_list_of_settings_is_the_programs() {
     let page = page();
     let expected = list();
     let start = page.find("- `data.path`").expect("a list");

@@ -29,7 +29,7 @@ fn keyframes(viewer: &Viewer) -> Value {
 }
 
 #[test]
-fn a_film_of_keyframes_is_that_of_the_command() {
+fn a_film_of_keyframes_is_the_commands() {
     let sandbox = Sandbox::new("tiny");
     let viewer = Viewer::start(&sandbox, VIEW);
     let keyframes = keyframes(&viewer);

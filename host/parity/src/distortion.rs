@@ -39,7 +39,7 @@ impl Parity for PairInverseDistance {
         let of = |&slot: &u32| {
             let (view, gaussian) = self.scene.slot(slot);
             let center = self.scene.gaussian(gaussian).position;
-            let offset = [0, 1, 2].map(|i| center[i] - view.eye[i].into());
+            let offset = [0, 1, 2].map(|i| center[i] - view.eye[i]);
             let distance = dot(offset, offset).sqrt();
             let u = Rounded::from(1.0) / distance.max(MIN_DISTANCE.into());
             [u, u * u, 0.0.into()]

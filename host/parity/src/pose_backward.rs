@@ -6,7 +6,8 @@ use organza_shaders::pose_backward::{BLOCK, PoseBackwardInputs, PoseBackwardPara
 use organza_shaders::project_backward::ProjectBackwardParams;
 
 use super::binned::{read_sums, write_sums};
-use super::exact::project::{Gaussian, View, unit_axes};
+use super::exact::numeric::dot;
+use super::exact::project::{Gaussian, View};
 use super::project::Fate;
 use super::project_backward::ProjectBackward;
 
@@ -83,49 +84,28 @@ fn derivatives(set: &ProjectBackward, [camera, gaussian, pair]: Pair) -> [Rounde
         return [Rounded::UNKNOWN; POSE];
     }
     let view = View::from_camera(&set.forward.cameras[camera]);
-    let still = set.forward.gaussian(gaussian);
+    let Gaussian { position, rotation, log_scale } = set.forward.gaussian(gaussian);
+    let gaussian = Gaussian {
+        position: position.map(Dual::constant),
+        rotation: rotation.map(Dual::constant),
+        log_scale: log_scale.map(Dual::constant),
+    };
     let pair = set.pair_gradient(pair);
-    gradient([Rounded::exact(0.0); POSE], |pose| {
-        set.loss(camera, pair, &moved(&view, &still, pose))
-    })
+    gradient([Rounded::exact(0.0); POSE], |pose| set.loss(&posed(&view, pose), pair, &gaussian))
 }
 
-/// Moves a Gaussian against the camera's motion, so that it looks as if the camera had moved. Correct to first order, at a
-/// pose of 0.
-fn moved(
-    view: &View,
-    still: &Gaussian<Rounded>,
-    pose: [Dual<Rounded>; POSE],
-) -> Gaussian<Dual<Rounded>> {
-    let [x, y, z, shift @ ..] = pose;
-    let half = Dual::from(0.5);
-    // the quaternion of a small rotation is 1 and half the rotation vector
-    let one = Dual::from(1.0);
-    let columns = unit_axes([one, half * x, half * y, half * z]);
-    let place = view.place(still.position.map(Dual::constant));
-    let seen: [_; 3] = std::array::from_fn(|axis| {
-        let turned = (0..3).map(|k| columns[k][axis] * place[k]);
-        turned.fold(shift[axis], |sum, term| sum + term)
-    });
-    let to_world = |v: [Dual<Rounded>; 3]| -> [_; 3] {
-        std::array::from_fn(|world| {
-            let along = (0..3).map(|axis| Dual::from(view.axes[axis][world]) * v[axis]);
-            Number::sum(along)
-        })
+/// A camera with a pose, correct to first order at a pose of 0.
+fn posed<N: Number>(view: &View<N>, [x, y, z, shift @ ..]: [N; POSE]) -> View<N> {
+    let mixed = |of: [N; 3]| -> [N; 3] {
+        std::array::from_fn(|world| dot(of, view.axes.map(|axis| axis[world])))
     };
-    let place = to_world(seen);
-    let [a, b, c] = to_world([x, y, z].map(|part| half * part));
-    let [w, i, j, k] = still.rotation.map(Dual::constant);
-    Gaussian {
-        position: std::array::from_fn(|axis| place[axis] + Dual::from(view.eye[axis])),
-        // (1, a, b, c) times the quaternion
-        rotation: [
-            w - a * i - b * j - c * k,
-            i + a * w + b * k - c * j,
-            j + b * w + c * i - a * k,
-            k + c * w + a * j - b * i,
-        ],
-        log_scale: still.log_scale.map(Dual::constant),
+    let one = N::from(1.0);
+    let shift = mixed(shift);
+    View {
+        // the small rotation 1 + [w]x
+        axes: [[one, -z, y], [z, one, -x], [-y, x, one]].map(mixed),
+        eye: std::array::from_fn(|world| view.eye[world] - shift[world]),
+        ..*view
     }
 }
 

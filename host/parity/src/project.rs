@@ -135,7 +135,7 @@ impl Project {
     }
 
     /// The camera and the Gaussian of `camera * gaussians + gaussian`.
-    pub(super) fn slot(&self, slot: u32) -> (View, usize) {
+    pub(super) fn slot(&self, slot: u32) -> (View<Rounded>, usize) {
         let camera = &self.cameras[(slot / self.params.gaussians) as usize];
         (View::from_camera(camera), (slot % self.params.gaussians) as usize)
     }

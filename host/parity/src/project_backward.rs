@@ -108,15 +108,14 @@ impl ProjectBackward {
             .collect()
     }
 
-    /// A pair's part of the loss, for a moved Gaussian.
+    /// A pair's part of the loss.
     pub(super) fn loss<N: Number>(
         &self,
-        camera: usize,
+        view: &View<N>,
         pair: &[Vec4; 3],
-        moved: &Gaussian<N>,
+        gaussian: &Gaussian<N>,
     ) -> N {
-        let view = View::from_camera(&self.forward.cameras[camera]);
-        let found = project(&view, self.params.blur.into(), moved).expect("it has a pair");
+        let found = project(view, self.params.blur.into(), gaussian).expect("it has a pair");
         let [center, shape, _] = pair;
         let slopes = [center.x, center.y, shape.x, shape.y, shape.z];
         let values = found.mean.into_iter().chain(found.conic());
@@ -141,7 +140,9 @@ impl ProjectBackward {
         let of = |[a, b, c, w, x, y, z, l, m, n]: [Dual<Rounded>; 10]| {
             let moved =
                 Gaussian { position: [a, b, c], rotation: [w, x, y, z], log_scale: [l, m, n] };
-            Number::sum(pairs.iter().map(|&(camera, pair)| self.loss(camera, pair, &moved)))
+            Number::sum(pairs.iter().map(|&(camera, pair)| {
+                self.loss(&View::from_camera(&self.forward.cameras[camera]), pair, &moved)
+            }))
         };
         let [a, b, c, w, x, y, z, l, m, n] = gradient([a, b, c, w, x, y, z, l, m, n], of);
         [a, b, c, w, x, y, z, l, m, n, opacity]

@@ -91,46 +91,24 @@ impl Segment {
         count.error > 0.0
     }
 
-    /// The error of a coordinate in the box by drivers that regroup: 6e-8 of its size in world space.
-    fn world(&self, slot: u32) -> f64 {
-        let position = self.position(slot).map(|x| f64::from(x.abs()));
-        let [low, high] = self.aabb;
-        let world =
-            (0..3).map(|axis| (position[axis] + low[axis].abs()) / (high[axis] - low[axis]));
-        world.fold(0.0, f64::max)
-    }
-
-    /// The values of an output. `of_place` gives a place's error from the sizes of the ray and of the world. A ray is divided by
-    /// its planes with an error of 3 ulp. A contracted ray has the rounding error of its ends, so a short one is known badly.
-    fn known(&self, output: &str, of_place: impl Fn(f64, f64) -> f64) -> Vec<Option<Rounded>> {
+    /// The values of an output. `place` gives a coordinate of a ray that is not contracted, of the ray's size.
+    fn known(&self, output: &str, place: impl Fn(Rounded, f64) -> Rounded) -> Vec<Option<Rounded>> {
         let of = |&slot: &u32| {
             let [p, eye] = self.ends(slot);
-            let [a, b] = [p, eye].map(|end| DVec3::from(end.map(|x| x.value)));
-            let length = a.distance(b);
-            let within =
-                |x: Rounded, scale| Rounded::within(x.value, 5e-7 * scale + f64::from(TINY));
-            let factor = |factor, count: Rounded, scale: f64| {
-                within(factor, scale / self.step() / count.value.max(1.0))
-            };
             let (count, values) = if self.is_contracted() {
                 let ray = contracted_ray(p, eye, self.step());
-                let size = 1.0 + a.length() + b.length();
-                let scale = size * (1.0 + size / length) + self.world(slot);
-                let [[a, b, c], [d, e, f]] =
-                    [ray.foot, ray.direction].map(|of| of.map(|x| within(x, scale)));
-                let factor = factor(ray.factor, ray.count, scale);
+                let [a, b, c] = ray.foot;
+                let [d, e, f] = ray.direction;
                 let [begin, end] = ray.ends;
-                let [r, s, t] = [ray.radius, begin, end - begin].map(|x| within(x, scale));
-                let known = [a, b, c, factor, d, e, f, r, s, t];
+                let known = [a, b, c, ray.factor, d, e, f, ray.radius, begin, end - begin];
                 (ray.count, [&known[..], &[0.into(); 6]].concat())
             } else {
                 let found = segment(p, eye, self.step());
-                let size = 1.0 + a.length() + length;
-                let scale = size + self.world(slot);
-                let place = |x| within(x, of_place(size, scale));
-                let [[a, b, c], [d, e, f]] = [found.start, found.way].map(|of| of.map(place));
-                let factor = factor(found.factor, found.count, scale);
-                (found.count, vec![a, b, c, factor, d, e, f, 0.into()])
+                let [from, to] = [p, eye].map(|end| DVec3::from(end.map(|x| x.value)));
+                let size = 1.0 + from.length() + from.distance(to);
+                let [[a, b, c], [d, e, f]] =
+                    [found.start, found.way].map(|of| of.map(|x| place(x, size)));
+                (found.count, vec![a, b, c, found.factor, d, e, f, 0.into()])
             };
             if output == "count" { vec![Rounded::exact(count.value)] } else { values }
         };
@@ -176,11 +154,14 @@ impl Parity for Segment {
     }
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
-        self.known(output, |size, scale| if size < NEAR { 4e-3 * size } else { scale })
+        self.known(output, |x, size| match size < NEAR {
+            true => Rounded::within(x.value, 2e-9 * size + f64::from(TINY)),
+            false => x,
+        })
     }
 
     /// Places on a ray are one f32.
     fn exact_regrouped(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
-        self.known(output, |_, scale| scale)
+        self.known(output, |x, _| x)
     }
 }

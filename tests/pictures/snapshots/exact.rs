@@ -61,7 +61,7 @@ pub fn transmittance(scene: &Scene, camera: &Camera, gaussian: usize) -> (u32, f
 }
 
 /// A camera, for the equations.
-pub fn view(camera: &Camera) -> View {
+pub fn view(camera: &Camera) -> View<f64> {
     View {
         axes: camera.axes().map(|axis| axis.to_array()),
         eye: camera.eye(),

@@ -4,11 +4,11 @@ use super::numeric::{Number, cross, dot, row};
 
 /// A camera.
 #[derive(Clone, Copy, Debug)]
-pub struct View {
+pub struct View<N> {
     /// Axes in the world: right, down, forward.
-    pub axes: [[f64; 3]; 3],
+    pub axes: [[N; 3]; 3],
     /// Center in the world.
-    pub eye: [f64; 3],
+    pub eye: [N; 3],
     /// Focal lengths, in pixels.
     pub focal: [f64; 2],
     /// The principal point, in pixels.
@@ -17,12 +17,12 @@ pub struct View {
     pub size: [f64; 2],
 }
 
-impl View {
+impl<N: Number> View<N> {
     /// A camera as the kernels have it.
     pub fn from_camera(camera: &organza_shaders::camera::Camera) -> Self {
         Self {
-            axes: camera.rotation.map(|row| row.as_dvec3().to_array()),
-            eye: camera.eye.as_dvec3().to_array(),
+            axes: camera.rotation.map(|row| row.as_dvec3().to_array().map(N::from)),
+            eye: camera.eye.as_dvec3().to_array().map(N::from),
             focal: camera.focal.as_dvec2().to_array(),
             center: camera.center.as_dvec2().to_array(),
             size: camera.size.as_dvec2().to_array(),
@@ -30,9 +30,9 @@ impl View {
     }
 
     /// A point of the world in the camera's space: right, down, forward.
-    pub fn place<N: Number>(&self, position: [N; 3]) -> [N; 3] {
-        let offset = std::array::from_fn(|axis| position[axis] - N::from(self.eye[axis]));
-        self.axes.map(|axis| dot(axis.map(N::from), offset))
+    pub fn place(&self, position: [N; 3]) -> [N; 3] {
+        let offset = std::array::from_fn(|axis| position[axis] - self.eye[axis]);
+        self.axes.map(|axis| dot(axis, offset))
     }
 
     /// The bounds of x/z (axis 0) and y/z (axis 1) in J: the image's border, and 0.3 of half its size.
@@ -98,7 +98,11 @@ pub fn cutoff() -> f64 {
 pub const NEAR: f64 = 0.01_f32 as f64;
 
 /// A Gaussian that is not behind the near plane.
-pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Option<Projected<N>> {
+pub fn project<N: Number>(
+    view: &View<N>,
+    blur: f64,
+    gaussian: &Gaussian<N>,
+) -> Option<Projected<N>> {
     let place @ [x, y, z] = view.place(gaussian.position);
     if z.value() <= NEAR {
         return None;
@@ -111,9 +115,7 @@ pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Opt
         let ratio =
             ratios[i].above(high, N::from(high), ratios[i].above(low, ratios[i], N::from(low)));
         let focal = N::from(view.focal[i]) / z;
-        std::array::from_fn(|k| {
-            (N::from(view.axes[i][k]) - ratio * N::from(view.axes[2][k])) * focal
-        })
+        std::array::from_fn(|k| (view.axes[i][k] - ratio * view.axes[2][k]) * focal)
     });
     let footprint = jacobian.map(|row| axes.map(|axis| dot(row, axis)));
     let [u, v] = footprint;

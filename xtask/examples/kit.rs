@@ -5,5 +5,4 @@ muslin_build::xtask!(
     sources: ["kit/kernel", "kit/macros", "kit/language/kernels"].map(String::from).into(),
     kernels: "kit/language/compiled".into(),
     parity: "test --workspace --test parity is_right_on_every_device -- --nocapture",
-    coverage: "test --workspace --test parity",
 );

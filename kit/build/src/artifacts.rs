@@ -8,20 +8,12 @@ use anyhow::{Context, Result, bail};
 use muslin_manifest::FILE_NAME;
 
 /// The compiled kernels and their manifest, by file name.
-pub struct Artifacts {
-    files: BTreeMap<String, Vec<u8>>,
-}
+pub struct Artifacts(pub BTreeMap<String, Vec<u8>>);
 
 impl Artifacts {
-    /// Files by name, manifest included.
-    #[must_use]
-    pub fn new(files: BTreeMap<String, Vec<u8>>) -> Self {
-        Self { files }
-    }
-
     /// The modules with their file names.
     pub fn modules(&self) -> impl Iterator<Item = (&str, &[u8])> {
-        let files = self.files.iter().filter(|(name, _)| is_module(name));
+        let files = self.0.iter().filter(|(name, _)| is_module(name));
         files.map(|(name, contents)| (name.as_str(), contents.as_slice()))
     }
 
@@ -35,7 +27,7 @@ impl Artifacts {
             changed += 1;
         }
         let (manifest, modules): (Vec<_>, Vec<_>) =
-            self.files.iter().partition(|(name, _)| *name == FILE_NAME);
+            self.0.iter().partition(|(name, _)| *name == FILE_NAME);
         for (name, contents) in modules.into_iter().chain(manifest) {
             changed += usize::from(replace(&folder.join(name), contents)?);
         }
@@ -48,7 +40,7 @@ impl Artifacts {
         for name in stale(self, folder)? {
             differences.push(format!("{name}: belongs to no kernel"));
         }
-        for (name, contents) in &self.files {
+        for (name, contents) in &self.0 {
             match fs::read(folder.join(name)) {
                 Err(_) => differences.push(format!("{name}: missing")),
                 Ok(found) if &found == contents => {}
@@ -73,7 +65,7 @@ impl Artifacts {
 
 impl fmt::Display for Artifacts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let width = self.files.keys().map(String::len).max().unwrap_or(0);
+        let width = self.0.keys().map(String::len).max().unwrap_or(0);
         writeln!(f, "{:width$}  {:>9}", "module", "bytes")?;
         let mut total = 0;
         for (name, contents) in self.modules() {
@@ -99,7 +91,7 @@ fn stale(artifacts: &Artifacts, folder: &Path) -> Result<Vec<String>> {
     // A folder that does not exist yet is empty.
     for entry in fs::read_dir(folder).into_iter().flatten() {
         let name = entry?.file_name().to_string_lossy().into_owned();
-        if is_ours(&name) && !artifacts.files.contains_key(&name) {
+        if is_ours(&name) && !artifacts.0.contains_key(&name) {
             stale.push(name);
         }
     }
@@ -148,7 +140,7 @@ mod tests {
         let mut files: BTreeMap<_, _> =
             modules.iter().map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec())).collect();
         files.insert(FILE_NAME.to_owned(), manifest.to_json().into_bytes());
-        Artifacts::new(files)
+        Artifacts(files)
     }
 
     #[test]

@@ -211,9 +211,6 @@ fn output(command: &mut Command) -> Result<String> {
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
 
 /// Compiles every kernel that the caller is linked with, each to one module.
-///
-/// # Errors
-/// The compiler's errors, and an error if a kernel does not match its module.
 pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
     rules::check(&project.root.join(&project.shader_crate))?;
     // Before the build: if a file is saved while it runs, the kernels must be stale.
@@ -255,7 +252,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
     };
     let manifest = Manifest::new(project.sources.clone(), source_hash, versions, entries);
     files.insert(manifest::FILE_NAME.to_owned(), manifest.to_json().into_bytes());
-    Ok(Artifacts::new(files))
+    Ok(Artifacts(files))
 }
 
 /// All entry points are compiled together, so two kernels must not have the same name.

@@ -1,13 +1,12 @@
 //! Builds kernels: compiles a crate of `#[kernel]` functions to SPIR-V modules that drivers and naga accept, and writes their
 //! manifest.
 //!
-//! A program that is linked with the kernels is an [`xtask`], or calls [`run`] if it has more to do. Usually that is `cargo xtask kernels`.
+//! A program that is linked with the kernels is an [`xtask`].
 
 mod artifacts;
 mod atomic_arguments;
 mod compiler;
 mod contraction;
-mod coverage;
 mod declarations;
 mod errors;
 mod expand;
@@ -30,10 +29,8 @@ use anyhow::{Context, Result};
 use clap::{Args, Parser};
 use muslin_manifest::{List, Manifest, set_failure, source_hash};
 
-pub use artifacts::Artifacts;
-pub use compiler::{Compiler, compile, isolate};
-pub use lower::lower;
-pub use tool::{IsaOptions, isa};
+use compiler::{Compiler, compile, isolate};
+use tool::{IsaOptions, isa};
 
 /// A workspace with a crate of kernels.
 #[derive(Clone, Debug)]
@@ -55,8 +52,6 @@ pub struct Project {
     pub parity: &'static str,
     /// Arguments of cargo that run the test which calls `muslin_check::bench`.
     pub bench: &'static str,
-    /// Arguments of cargo that run kernels on the CPU, for their coverage.
-    pub coverage: &'static str,
     /// Arguments of cargo that compare pictures with snapshots.
     pub snapshots: &'static str,
 }
@@ -80,7 +75,6 @@ impl Project {
             wgsl: false,
             parity: "test --features gpu is_right_on_every_device -- --nocapture",
             bench: "test --release --features gpu bench -- --ignored --nocapture",
-            coverage: "test",
             snapshots: "test --tests",
             // Joining an absolute path returns that path.
             target: root.join(target),
@@ -103,8 +97,6 @@ enum Task {
     Parity(More),
     /// Measure each kernel, beside what the device could compute and read
     Bench(More),
-    /// Count how often each line of the kernels runs in the tests on the CPU
-    Coverage(More),
     /// Show expected, actual and difference of each picture that is not as accepted
     Snapshots(tool::SnapshotOptions),
 }
@@ -131,26 +123,29 @@ macro_rules! xtask {
 
         fn main() -> std::process::ExitCode {
             let project = $crate::Project::from_xtask(env!("CARGO_MANIFEST_DIR"), $folder);
-            $crate::main(&$crate::Project { $($field: $value,)* ..project }, stringify!($kernels))
+            $crate::main(&$crate::Project { $($field: $value,)* ..project })
         }
     };
 }
 
 /// The `main` of an [`xtask`].
 #[must_use]
-pub fn main(project: &Project, kernels: &str) -> ExitCode {
-    if let Some(code) = coverage::as_compiler(kernels) {
-        return code;
-    }
-    exit_code(match Task::parse() {
+pub fn main(project: &Project) -> ExitCode {
+    let result = match Task::parse() {
         Task::Kernels(options) => run(project, options),
         Task::List => list(project),
         Task::Isa(options) => isa(project, &options),
         Task::Parity(options) => tool::run(project, project.parity, &options.more),
         Task::Bench(options) => tool::run(project, project.bench, &options.more),
-        Task::Coverage(options) => coverage::run(project, &options.more),
         Task::Snapshots(options) => tool::show_snapshots(project, &options),
-    })
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
 }
 
 /// Lists the kernels, with the modules that are compiled.
@@ -165,37 +160,22 @@ fn list(project: &Project) -> Result<()> {
     Ok(())
 }
 
-/// Prints an error, if there is one.
-#[must_use]
-pub fn exit_code(result: Result<()>) -> ExitCode {
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
 /// Options for compiled kernels.
-#[derive(Args, Clone, Copy, Debug)]
-pub struct Options {
+#[derive(Args)]
+struct Options {
     /// Compile and compare with the folder of modules instead of writing there: fails on any difference
     #[arg(long, conflicts_with = "watch")]
-    pub check: bool,
+    check: bool,
     /// Check each module against the SPIR-V specification with `spirv-val`
     #[arg(long)]
-    pub validate: bool,
+    validate: bool,
     /// Compile again whenever a kernel source is saved, until interrupted
     #[arg(long)]
-    pub watch: bool,
+    watch: bool,
 }
 
 /// Compiles the kernels of a project, and writes, checks or watches its modules.
-///
-/// # Errors
-/// Errors of the compiler or of the check.
-pub fn run(project: &Project, options: Options) -> Result<()> {
+fn run(project: &Project, options: Options) -> Result<()> {
     if options.watch {
         return tool::watch(project, || tool::compile(project, options.validate));
     }

@@ -101,101 +101,60 @@ struct Function {
     is_const: bool,
 }
 
-/// Methods that only a test on the CPU has, and others that the compiler for GPUs lacks: `muslin::math` has functions of these names.
-const ELEMENTARY: [&str; 16] = [
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan",
-    "atan2",
-    "ln",
-    "exp2",
-    "log2",
-    "tanh",
-    "round_ties_even",
-    "powf",
-    "saturating_add",
-    "saturating_sub",
-    "isqrt",
+/// Methods that the compiler for GPUs lacks, and what to write. A test on the CPU has them.
+const METHODS: [(&str, &str); 18] = [
+    (
+        "sin cos tan asin acos atan atan2 ln exp2 log2 tanh saturating_add saturating_sub isqrt",
+        "use `math::NAME`",
+    ),
+    ("round_ties_even", "use `math::round_even`"),
+    ("powf", "use `math::pow`"),
+    ("log10", "GPUs lack it; write `math::ln(x) * core::f32::consts::LOG10_E`"),
+    ("log", "GPUs lack it; write the quotient of two `math::ln`"),
+    ("ilog", "GPUs lack it; divide in a `for` loop"),
+    ("powi", "GPUs lack it; write the product, or `math::pow`"),
+    ("hypot", "GPUs lack it; write `math::sqrt(x * x + y * y)`"),
+    ("cbrt", "GPUs lack it; write `math::pow(x, 1.0 / 3.0)`, for x from 0 on"),
+    ("sin_cos", "GPUs lack it; write `math::sin(x)` and `math::cos(x)`"),
+    ("sinh cosh", "GPUs lack it; write it with `math::exp`"),
+    ("exp_m1", "GPUs lack it; write `math::exp(x) - 1.0`"),
+    ("ln_1p", "GPUs lack it; write `math::ln(1.0 + x)`"),
+    ("to_be_bytes to_le_bytes to_ne_bytes", "GPUs have no pointers; shift, and mask with 0xff"),
+    (
+        "sort sort_unstable sort_by sort_unstable_by sort_unstable_by_key",
+        "GPUs have no pointers; compare and exchange elements",
+    ),
+    ("iter_mut windows chunks chunks_exact", "GPUs have no pointers; count with an index"),
+    ("copy_from_slice", "GPUs have no pointers; assign the elements, or the array"),
+    ("zip", "the compiler for GPUs is wrong in it; write one `if let` within the other"),
 ];
 
-/// Others, of which `muslin::math` has no function, and what to write.
-const OTHER_ELEMENTARY: [(&str, &str); 11] = [
-    ("log10", "write `math::ln(x) * core::f32::consts::LOG10_E`"),
-    ("log", "write the quotient of two `math::ln`"),
-    ("ilog", "divide in a `for` loop"),
-    ("powi", "write the product, or `math::pow`"),
-    ("hypot", "write `math::sqrt(x * x + y * y)`"),
-    ("cbrt", "write `math::pow(x, 1.0 / 3.0)`, for x from 0 on"),
-    ("sin_cos", "write `math::sin(x)` and `math::cos(x)`"),
-    ("sinh", "write it with `math::exp`"),
-    ("cosh", "write it with `math::exp`"),
-    ("exp_m1", "write `math::exp(x) - 1.0`"),
-    ("ln_1p", "write `math::ln(1.0 + x)`"),
-];
+/// Methods of integers, and numbers, that GPUs lack.
+const PRODUCTS: &str =
+    "pow wrapping_pow checked_pow checked_mul overflowing_mul saturating_mul midpoint";
+const WIDE: &str = "u64 i64 u128 i128 f64";
 
-/// Methods of slices, and others that compute with pointers or bytes, which GPUs lack, and what to write.
-const POINTERS: [(&str, &str); 13] = [
-    ("to_be_bytes", "shift, and mask with 0xff"),
-    ("to_le_bytes", "shift, and mask with 0xff"),
-    ("to_ne_bytes", "shift, and mask with 0xff"),
-    ("sort", "compare and exchange elements"),
-    ("sort_unstable", "compare and exchange elements"),
-    ("sort_by", "compare and exchange elements"),
-    ("sort_unstable_by", "compare and exchange elements"),
-    ("sort_unstable_by_key", "compare and exchange elements"),
-    ("iter_mut", "count with an index"),
-    ("windows", "count with an index"),
-    ("chunks", "count with an index"),
-    ("chunks_exact", "count with an index"),
-    ("copy_from_slice", "assign the elements, or the array"),
-];
+/// What to write instead.
+const OF_PRODUCTS: &str =
+    "GPUs lack it; use products of `u32`, and `math::multiply_high` for the upper half of one";
 
 /// Methods of iterators that loop, and take a closure.
-const ITERATORS: [&str; 15] = [
-    "fold",
-    "rfold",
-    "try_fold",
-    "for_each",
-    "try_for_each",
-    "reduce",
-    "any",
-    "all",
-    "find_map",
-    "position",
-    "rposition",
-    "min_by",
-    "max_by",
-    "min_by_key",
-    "max_by_key",
-];
+const ITERATORS: &str = "fold rfold try_fold for_each try_for_each reduce any all find_map position rposition \
+    min_by max_by min_by_key max_by_key";
 
 /// Methods of iterators that loop within one round of a `for` loop.
-const SKIPPING: [&str; 6] =
-    ["filter", "filter_map", "skip_while", "flat_map", "flatten", "map_while"];
+const SKIPPING: &str = "filter filter_map skip_while flat_map flatten map_while";
 
 /// Methods of ranges that do not loop.
-const OF_RANGES: [&str; 5] = ["contains", "is_empty", "len", "start", "end"];
-
-/// Methods of integers that the compiler for GPUs lacks.
-const PRODUCTS: [&str; 7] = [
-    "pow",
-    "wrapping_pow",
-    "checked_pow",
-    "checked_mul",
-    "overflowing_mul",
-    "saturating_mul",
-    "midpoint",
-];
-
-/// Numbers that GPUs lack.
-const WIDE: [&str; 5] = ["u64", "i64", "u128", "i128", "f64"];
+const OF_RANGES: &str = "contains is_empty len start end";
 
 /// Macros that panic.
-const PANICS: [&str; 7] =
-    ["assert", "assert_eq", "assert_ne", "panic", "unreachable", "todo", "unimplemented"];
+const PANICS: &str = "assert assert_eq assert_ne panic unreachable todo unimplemented";
+
+/// Whether a name is one of these, which are separated by spaces.
+fn is_one_of(names: &str, name: &str) -> bool {
+    names.split_whitespace().any(|one| one == name)
+}
 
 struct Rules<'a> {
     file: String,
@@ -276,9 +235,9 @@ impl<'a> Rules<'a> {
             Expr::Range(_) => true,
             Expr::Path(of) => of.path.get_ident().is_some_and(|name| self.iterators.contains(name)),
             Expr::MethodCall(call) => {
-                let is = |names: &[&str]| names.iter().any(|name| call.method == name);
-                let is_first = call.args.is_empty() && is(&["iter", "into_iter"]);
-                is_first || self.is_iterator(&call.receiver) && !is(&OF_RANGES)
+                let is = |names| is_one_of(names, &call.method.to_string());
+                let is_first = call.args.is_empty() && is("iter into_iter");
+                is_first || self.is_iterator(&call.receiver) && !is(OF_RANGES)
             }
             _ => false,
         }
@@ -294,12 +253,17 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// An iterator that loops: neither the CPU nor the limits of GPUs know how often.
-    fn iterator(&mut self, span: Span, what: &str) {
+    /// What only a compiler can compute, in a `const fn`.
+    fn at_run_time(&mut self, span: Span, what: &str, remedy: &str) {
         if self.function.as_ref().is_some_and(|function| !function.is_const) {
-            let remedy = "nothing counts the rounds of an iterator; write a `for` loop";
             self.report(span, what, remedy);
         }
+    }
+
+    /// An iterator that loops: neither the CPU nor the limits of GPUs know how often.
+    fn iterator(&mut self, span: Span, what: &str) {
+        let remedy = "nothing counts the rounds of an iterator; write a `for` loop";
+        self.at_run_time(span, what, remedy);
     }
 
     /// What a `for` loop goes over: a range or an array, maybe with methods that take one step for each round.
@@ -308,7 +272,7 @@ impl<'a> Rules<'a> {
             Expr::Paren(of) => self.iterated(&of.expr),
             Expr::MethodCall(call) if self.is_iterator(&call.receiver) => {
                 let name = call.method.to_string();
-                if SKIPPING.contains(&&*name) {
+                if is_one_of(SKIPPING, &name) {
                     self.iterator(call.method.span(), &format!("`.{name}()`"));
                 }
                 self.iterated(&call.receiver);
@@ -318,60 +282,31 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// What the compiler may still compute.
-    fn missing(&mut self, span: Span, what: &str) {
-        if self.function.as_ref().is_some_and(|function| !function.is_const) {
-            let remedy = "GPUs lack it; use products of `u32`, and `math::multiply_high` for the upper half of one";
-            self.report(span, what, remedy);
-        }
-    }
-
     /// What ends an invocation with a panic. On a GPU there is no message, and its element remains unwritten.
     fn panics(&mut self, span: Span, what: &str, remedy: &str) {
-        if self.function.as_ref().is_some_and(|function| !function.is_const) {
-            let remedy = format!("where it panics, a GPU silently leaves out the rest; {remedy}");
-            self.report(span, what, &remedy);
-        }
+        let remedy = format!("where it panics, a GPU silently leaves out the rest; {remedy}");
+        self.at_run_time(span, what, &remedy);
     }
 
     fn method(&mut self, call: &ExprMethodCall) {
         let span = call.method.span();
         let name = call.method.to_string();
         let what = format!("`.{name}()`");
-        let remedy = |list: &[(&str, &'static str)]| {
-            list.iter().find(|(method, _)| *method == name).map(|(_, remedy)| *remedy)
-        };
-        if let Some(remedy) = remedy(&OTHER_ELEMENTARY) {
-            return self.report(span, &what, &format!("GPUs lack it; {remedy}"));
-        }
-        if let Some(remedy) = remedy(&POINTERS) {
-            return self.report(span, &what, &format!("GPUs have no pointers; {remedy}"));
-        }
-        let is_iterator = self.is_iterator(&call.receiver) && !OF_RANGES.contains(&&*name);
+        let is_iterator = self.is_iterator(&call.receiver) && !is_one_of(OF_RANGES, &name);
         let adds = ["sum", "product"].contains(&&*name) && call.turbofish.is_some();
         let has_closure = call.args.iter().any(|argument| matches!(argument, Expr::Closure(_)));
-        if is_iterator || adds || has_closure && ITERATORS.contains(&&*name) {
+        if is_iterator || adds || has_closure && is_one_of(ITERATORS, &name) {
             return self.iterator(span, &what);
         }
+        if let Some((_, remedy)) = METHODS.iter().find(|(names, _)| is_one_of(names, &name)) {
+            return self.report(span, &what, &remedy.replace("NAME", &name));
+        }
         match &*name {
-            name if ELEMENTARY.contains(&name) => {
-                let function = match name {
-                    "powf" => "pow",
-                    "round_ties_even" => "round_even",
-                    name => name,
-                };
-                self.report(span, &what, &format!("use `math::{function}`"));
-            }
-            "zip" => {
-                let remedy =
-                    "the compiler for GPUs is wrong in it; write one `if let` within the other";
-                self.report(span, &what, remedy);
-            }
+            name if is_one_of(PRODUCTS, name) => self.at_run_time(span, &what, OF_PRODUCTS),
             "swap" if call.args.len() == 2 => {
                 let remedy = "GPUs have no pointers; keep one of both in a variable";
                 self.report(span, &what, remedy);
             }
-            name if PRODUCTS.contains(&name) => self.missing(span, &what),
             name if name.starts_with("strict_") => {
                 let remedy = "use the method of this name with `checked_` or `wrapping_`";
                 self.panics(span, &what, remedy);
@@ -529,9 +464,10 @@ impl<'ast> Visit<'ast> for Rules<'_> {
             }
             Expr::Cast(cast) => {
                 if let Type::Path(ty) = &*cast.ty
-                    && let Some(name) = WIDE.iter().find(|name| ty.path.is_ident(name))
+                    && let Some(name) = ty.path.get_ident().map(Ident::to_string)
+                    && is_one_of(WIDE, &name)
                 {
-                    self.missing(ty.span(), &format!("`{name}`"));
+                    self.at_run_time(ty.span(), &format!("`{name}`"), OF_PRODUCTS);
                 }
             }
             // computed by the compiler
@@ -543,7 +479,7 @@ impl<'ast> Visit<'ast> for Rules<'_> {
 
     fn visit_macro(&mut self, of: &'ast Macro) {
         let name = of.path.segments.last().map_or_else(String::new, |name| name.ident.to_string());
-        if PANICS.contains(&&*name) {
+        if is_one_of(PANICS, &name) {
             let remedy = "use `debug_assert!`, which only debug builds on the CPU check";
             self.panics(of.span(), &format!("`{name}!`"), remedy);
         }

@@ -15,7 +15,7 @@ use muslin_manifest::{FILE_NAME, source_hash};
 use crate::Project;
 
 /// Cargo, in the workspace.
-pub fn cargo(project: &Project) -> Command {
+fn cargo(project: &Project) -> Command {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo.current_dir(&project.root);
     cargo
@@ -66,20 +66,17 @@ pub fn compile(project: &Project, validate: bool) -> Result<()> {
 }
 
 /// Options for the machine code of kernels.
-#[derive(Args, Clone, Debug)]
+#[derive(Args)]
 pub struct IsaOptions {
     /// Show the machine code of this kernel's innermost loops instead of the table, and all of it where there is no loop
     #[arg(long, value_name = "KERNEL")]
-    pub asm: Option<String>,
+    asm: Option<String>,
     /// A family of AMD GPUs, as Mesa's RADV names it; can be given several times
     #[arg(long, default_values = FAMILIES)]
-    pub family: Vec<String>,
+    family: Vec<String>,
 }
 
 /// Prints the machine code that RADV makes of a project's compiled kernels. It needs no GPU.
-///
-/// # Errors
-/// If there are no compiled kernels, if there is no RADV, if it does not compile a kernel, or if there is no such kernel.
 pub fn isa(project: &Project, options: &IsaOptions) -> Result<()> {
     let folder = project.root.join(&project.kernels);
     if muslin_isa::answer(&folder) {
@@ -118,7 +115,7 @@ fn print_loops(report: &Report, kernel: &str) -> Result<()> {
 }
 
 /// Options for pictures.
-#[derive(clap::Args)]
+#[derive(Args)]
 pub struct SnapshotOptions {
     /// Look again whenever a kernel source is saved, until interrupted. The page follows
     #[arg(long)]

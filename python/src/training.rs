@@ -135,7 +135,7 @@ impl Training {
                 Dataset::open(py, config.data.clone(), placement, Some(&renderer.0))?.dataset
             }
         };
-        config.resolve(&dataset);
+        config.resolve(&dataset, renderer.0.device());
         let is_first = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
         let output = output.filter(|_| is_first);
         let folder = output.map(|path| open_folder(&path, resume)).transpose()?;

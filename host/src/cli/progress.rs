@@ -208,7 +208,7 @@ fn error(loss: f64, psnr: f64) -> String {
 }
 
 /// Formats a number with three digits, or with all digits before the point.
-fn rounded(value: f64) -> String {
+pub fn rounded(value: f64) -> String {
     let digits = if value < 10.0 { 2 } else { usize::from(value < 100.0) };
     format!("{value:.digits$}")
 }

@@ -4,13 +4,15 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
+use std::time::Duration;
 
 use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, FromArgMatches};
+use indicatif::HumanDuration;
 use organza::error::{self, format_bytes};
 use organza::scene::Placement;
-use organza::train::config::{LearnExposure, SETTINGS, Setting};
+use organza::train::config::{self, LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
 use organza::train::{
     self, CHECKPOINT, CONFIG, ConfigBuilder, Event, Outcome, Preset, REPORT, Session, TrainConfig,
@@ -24,9 +26,10 @@ use super::demo::quoted;
 use super::device::DeviceArgs;
 use super::inputs::{DataSet, check_place};
 use super::output::Folder;
-use super::progress::TrainingProgress;
+use super::progress::{TrainingProgress, rounded};
 use super::ranks::{RankGroup, RanksArgs, follow_thread, of_many};
 use super::signals::Signals;
+use super::summary::{count, grouped};
 use super::view::ServerArgs;
 use super::{absolute, capture, number_in, refuse, text_of, title};
 
@@ -337,6 +340,32 @@ impl TrainJob<'_> {
         is_there.then(|| Ok(Scene::load_config(checkpoint)?.placement)).transpose()
     }
 
+    /// Number of pixels that the run draws if its photographs have `of`.
+    fn pixels(&self, of: f64, renderer: &Renderer) -> f64 {
+        let run = &self.config.run;
+        let is_cpu_like = renderer.device().is_cpu_like();
+        let steps = f64::from(run.steps_for(of, is_cpu_like));
+        let in_time = self.scheduled.map(|seconds| seconds * pixels_per_second(renderer));
+        in_time.unwrap_or(steps * run.pixels_per_step())
+    }
+
+    /// Says how long the run is, before its first step.
+    fn say_plan(&self, config: &TrainConfig, dataset: &Dataset, renderer: &Renderer, console: Console) {
+        let of = config::pixels(dataset);
+        let pixels = self.pixels(of, renderer);
+        let per_step = config.run.pixels_per_step();
+        let about = if self.scheduled.is_some() { "about " } else { "" };
+        let time = Duration::from_secs_f64(pixels / pixels_per_second(renderer));
+        console.note(&format!(
+            "planned: {about}{} of {} pixels, {} times those of {}; that takes about {} here",
+            count((pixels / per_step) as u64, "step"),
+            grouped(per_step as u64),
+            rounded(pixels / of),
+            count(dataset.train.len() as u64, "photograph"),
+            HumanDuration(time),
+        ));
+    }
+
     /// Creates the folder, reads the photographs, and trains.
     pub fn run(
         mut self,
@@ -367,15 +396,17 @@ impl TrainJob<'_> {
         };
         let renderer = device.open_as(&of_rank(0), console)?;
         if self.shrinks {
-            let steps = self.scheduled.map(|seconds| seconds * pixels_per_second(&renderer));
-            config.data.downscale = data.shrink(steps.unwrap_or(config.run.pixels()), console)?;
+            config.data.downscale = data.shrink(self.pixels(f64::INFINITY, &renderer), console)?;
         }
         if let Some(group) = &group {
             group.tell(&config, placement)?;
         }
         let dataset = Arc::new(data.read(&renderer, console)?);
         let measures_exposures = !self.resume && config.exposure.learn == LearnExposure::Auto;
-        config.resolve(&dataset);
+        config.resolve(&dataset, renderer.device());
+        if !self.resume {
+            self.say_plan(&config, &dataset, &renderer, console);
+        }
         if measures_exposures {
             say_exposures(&dataset, config.exposure.learn, console);
         }

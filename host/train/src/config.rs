@@ -16,10 +16,11 @@ pub use table::{
     PosesConfig, Rate, RunConfig, SETTINGS, Setting, ShapeConfig, StartConfig, TrainConfig,
 };
 
+use muslin_device::Device;
 use organza_core::input::read_text;
 use organza_core::scene::{FieldTensors, GaussianTensors, Placement, SceneConfig, Tensors};
 use organza_core::{Error, Result, gaussian_tensors, write_atomic};
-use organza_data::{Background, Dataset, DatasetOptions};
+use organza_data::{Background, Dataset, DatasetOptions, Frame};
 use serde::{Deserialize, Serialize};
 use table::within;
 
@@ -42,14 +43,44 @@ impl DataConfig {
     }
 }
 
+/// Number of pixels of the photographs to train on.
+#[must_use]
+pub fn pixels(dataset: &Dataset) -> f64 {
+    let pixels = |frame: &Frame| f64::from(frame.camera.width) * f64::from(frame.camera.height);
+    dataset.train_frames().map(pixels).sum()
+}
+
+/// How often a run draws as many pixels as its photographs have, where its settings leave the number of steps open.
+// docs/experiments.md has the measurements.
+const VISITS: f64 = 20.0;
+/// The fewest steps of such a run,
+const FEWEST_STEPS: f64 = 2000.0;
+/// and the most, on a CPU and on a GPU.
+const MOST_STEPS: [f64; 2] = [20_000.0, 100_000.0];
+
 impl RunConfig {
-    /// Number of pixels that all steps draw.
+    /// Number of pixels that a step draws.
     #[must_use]
-    pub fn pixels(&self) -> f64 {
-        [self.steps, self.tiles_per_step, self.tile_size, self.tile_size]
-            .map(f64::from)
-            .iter()
-            .product()
+    pub fn pixels_per_step(&self) -> f64 {
+        [self.tiles_per_step, self.tile_size, self.tile_size].map(f64::from).iter().product()
+    }
+
+    /// The number of steps to train on photographs of so many pixels in all, on a device [like a CPU](Device::is_cpu_like)
+    /// or on a GPU: the settings' own, or 20 times the photographs' pixels, within limits.
+    #[must_use]
+    pub fn steps_for(&self, pixels: f64, is_cpu_like: bool) -> u32 {
+        if self.steps > 0 {
+            return self.steps;
+        }
+        let most = MOST_STEPS[usize::from(!is_cpu_like)];
+        let steps = VISITS * pixels / self.pixels_per_step();
+        // a round number
+        (100.0 * (steps / 100.0).ceil()).clamp(FEWEST_STEPS, most) as u32
+    }
+
+    /// Chooses the number of steps, if it is open.
+    pub(crate) fn choose_steps(&mut self, dataset: &Dataset, device: &Device) {
+        self.steps = self.steps_for(pixels(dataset), device.is_cpu_like());
     }
 
     /// The part of the run that is done before `step`, 0 to 1. Learning rates and densification follow it.
@@ -97,13 +128,14 @@ impl TrainConfig {
         leaves.into_iter().map(|(name, value)| (name, value.to_string())).collect()
     }
 
-    /// Sets the values that depend on the data set, so that the run's file records them: the photographs' background, and
-    /// whether exposures are learned.
-    pub fn resolve(&mut self, dataset: &Dataset) {
+    /// Sets the values that depend on the data set and the device, so that the run's file records them: the photographs'
+    /// background, whether exposures are learned, and the number of steps.
+    pub fn resolve(&mut self, dataset: &Dataset, device: &Device) {
         if self.data.path.is_some() {
             self.data.background = Background::Color(dataset.background.map(|value| value as f32));
         }
         self.exposure.learn = self.exposure.learn.decide(dataset).into();
+        self.run.choose_steps(dataset, device);
     }
 
     /// The configuration of a run's scene.

@@ -104,12 +104,13 @@ impl Trainer {
     /// The same errors as [`Trainer::start`].
     pub fn resume(
         renderer: &Renderer,
-        config: TrainConfig,
+        mut config: TrainConfig,
         dataset: impl Into<Arc<Dataset>>,
         checkpoint: &Checkpoint,
     ) -> Result<Self> {
         let dataset = dataset.into();
         check(&config, &dataset)?;
+        config.run.choose_steps(&dataset, renderer.device());
         if checkpoint.scene.config.placement != dataset.placement {
             let reason = "the scene has other coordinates than the data set: read the data set with \
                           `DatasetOptions::placement` and the scene's `config.placement`";

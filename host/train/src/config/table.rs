@@ -181,9 +181,10 @@ macro_rules! define {
 
             /// The run's length, the size of a step, and how often something is written.
             run: RunConfig {
-                /// Number of training steps.
+                /// Number of training steps; 0: chosen from the photographs and the device.
                 #[option("--steps <N>")]
-                steps: u32 = 2000, in 1..;
+                #[see("#number-of-steps")]
+                steps: u32 = 0;
                 /// The schedule of `--minutes`: pairs of a step and the number of all steps that was chosen there.
                 schedule: Vec<[u32; 2]> = Vec::new();
                 /// Seed of all random choices.

@@ -38,7 +38,7 @@ fn a_file_reads_back() {
 fn mistakes_are_named() {
     for (text, expected) in [
         ("[run]\nstep = 3", "line 2: unknown field `step`"),
-        ("[run]\nsteps = 0", "`run.steps` is 0, expected 1 or more"),
+        ("[run]\nlog_every = 0", "`run.log_every` is 0, expected 1 or more"),
         ("[run]\nsteps = -1", "line 2:"),
         ("[loss]\nssim_weight = 1.5", "`loss.ssim_weight` is 1.5, expected 0 to 1"),
         ("[loss]\nssim_weight = nan", "`loss.ssim_weight` is NaN"),
@@ -142,6 +142,26 @@ fn photographs(levels: [u8; 2]) -> Dataset {
     let mut dataset = Dataset::from_frames(levels.map(frame).to_vec(), 0);
     dataset.points = vec![Point { position: [0.0; 3], color: Some([levels[0]; 3]) }; 60];
     dataset
+}
+
+#[test]
+fn a_run_is_as_long_as_its_photographs_are_many() {
+    let mut run = RunConfig { steps: 0, ..RunConfig::default() };
+    // 20 times the pixels, of which a step draws 16 * 64 * 64 = 65,536
+    for (photographs, size, on_cpu, on_gpu) in [
+        (30, 270.0 * 480.0, 2_000, 2_000),
+        (97, 1008.0 * 756.0, 20_000, 22_600),
+        (100, 400.0 * 400.0, 4_900, 4_900),
+        (300, 1600.0 * 1200.0, 20_000, 100_000),
+    ] {
+        let pixels = f64::from(photographs) * size;
+        let steps = [true, false].map(|is_cpu_like| run.steps_for(pixels, is_cpu_like));
+        assert_eq!(steps, [on_cpu, on_gpu], "{photographs} photographs");
+    }
+    run.tiles_per_step = 32;
+    assert_eq!(run.steps_for(16e6, true), 2_500);
+    run.steps = 7;
+    assert_eq!(run.steps_for(16e6, true), 7);
 }
 
 #[test]

@@ -41,7 +41,11 @@ impl Session<'_> {
         watch: &mut Watch<'_>,
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
-        let outcome = self.run_alone_or_first(resume, watch, hooks);
+        let mut config = self.config.clone();
+        config.run.choose_steps(self.dataset, self.renderer.device());
+        let command = self.command.clone();
+        let session = Session { config: &config, command, ranks: self.ranks.clone(), ..*self };
+        let outcome = session.run_alone_or_first(resume, watch, hooks);
         if let (Some(ranks), Err(error)) = (&self.ranks, &outcome) {
             ranks.fail(&error::chain(error));
         }

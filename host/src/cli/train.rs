@@ -350,7 +350,13 @@ impl TrainJob<'_> {
     }
 
     /// Says how long the run is, before its first step.
-    fn say_plan(&self, config: &TrainConfig, dataset: &Dataset, renderer: &Renderer, console: Console) {
+    fn say_plan(
+        &self,
+        config: &TrainConfig,
+        dataset: &Dataset,
+        renderer: &Renderer,
+        console: Console,
+    ) {
         let of = config::pixels(dataset);
         let pixels = self.pixels(of, renderer);
         let per_step = config.run.pixels_per_step();

@@ -142,6 +142,20 @@ fn large_photographs_shrink_to_what_the_steps_draw() {
 }
 
 #[test]
+fn a_run_plans_its_steps_by_its_photographs() {
+    let sandbox = sandbox();
+    let planned = |run: &str, words: &str| {
+        let words = format!("train views -o {run} {words} --time-limit 1 --backend cpu");
+        let said = sandbox.run(&words).assert_ok().stderr;
+        let config = TrainConfig::load(sandbox.path(run).join(CONFIG)).unwrap();
+        (config.run.steps, said.contains("planned: 2,000 steps of "))
+    };
+    assert_eq!(planned("run", "--config tiny.toml --steps 0"), (2000, true));
+    assert_eq!(planned("again", "--config run/config.toml"), (2000, true));
+    assert_eq!(planned("own", "--config run/config.toml --steps 2001"), (2001, false));
+}
+
+#[test]
 fn a_checkpoint_of_another_version_goes_on_with_a_warning() {
     let sandbox = trained();
     sandbox.edit_tensors("run/checkpoint.safetensors", |metadata, _| {

@@ -149,19 +149,21 @@ fn a_run_is_as_long_as_its_photographs_are_many() {
     let mut run = RunConfig { steps: 0, ..RunConfig::default() };
     // 20 times the pixels, of which a step draws 16 * 64 * 64 = 65,536
     for (photographs, size, on_cpu, on_gpu) in [
-        (30, 270.0 * 480.0, 2_000, 2_000),
+        (30, 270.0 * 480.0, 6_000, 6_000),
         (97, 1008.0 * 756.0, 20_000, 22_600),
-        (100, 400.0 * 400.0, 4_900, 4_900),
+        (100, 400.0 * 400.0, 6_000, 6_000),
+        (100, 800.0 * 800.0, 19_600, 19_600),
         (300, 1600.0 * 1200.0, 20_000, 100_000),
     ] {
         let pixels = f64::from(photographs) * size;
         let steps = [true, false].map(|is_cpu_like| run.steps_for(pixels, is_cpu_like));
         assert_eq!(steps, [on_cpu, on_gpu], "{photographs} photographs");
     }
+    // steps of twice as many pixels
     run.tiles_per_step = 32;
-    assert_eq!(run.steps_for(16e6, true), 2_500);
+    assert_eq!(run.steps_for(64e6, true), 9_800);
     run.steps = 7;
-    assert_eq!(run.steps_for(16e6, true), 7);
+    assert_eq!(run.steps_for(64e6, true), 7);
 }
 
 #[test]

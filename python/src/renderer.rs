@@ -157,7 +157,7 @@ impl Renderer {
         dict.set_item("color_sum", found.color_sum)?;
         dict.set_item("alpha_sum", found.alpha_sum)?;
         dict.set_item("background", found.background)?;
-        dict.set_item("pixel", found.pixel)?;
+        dict.set_item("pixel", found.color)?;
         Ok(dict)
     }
 

@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use organza::image::to_8_bit;
 use organza::render::{Contribution, Leakage};
 use organza::{Camera, DeviceOptions, DeviceScene, Inspection, Renderer, Result};
 use serde::Serialize;
@@ -97,7 +96,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
     let hidden = reaching - inspection.contributions.len();
     if args.json {
-        return print_json(&Explanation::new(at, &inspection, hidden));
+        let Place { view, pixel } = at;
+        let gaussians = &inspection.contributions;
+        let inspection = &inspection;
+        return print_json(&Explanation { view, pixel, gaussians, hidden, inspection });
     }
     print(&text(at, &cameras[at.view], &inspection, hidden))
 }
@@ -186,19 +188,18 @@ fn verdict(inspection: &Inspection, hidden: usize) -> String {
     }
     text.push('\n');
     let weight = inspection.alpha_sum;
-    let pixel = inspection.pixel;
     let _ = writeln!(text, "Eq. 12   C = ({}), S = {weight:.5}", rgb(inspection.color_sum));
-    if inspection.is_divided() {
+    if inspection.divided {
         let _ = writeln!(text, "Eq. 13   S > 1, so I = C / S");
     } else {
         let background = rgb(inspection.background);
         let _ = writeln!(text, "Eq. 13   S <= 1, so I = C + (1 - S) b with b = ({background})");
     }
-    let [r, g, b] = pixel.map(to_8_bit);
+    let [r, g, b] = inspection.color_8_bit;
     let _ = writeln!(
         text,
         "pixel    I = ({}), in 8 bits {r} {g} {b} (#{r:02x}{g:02x}{b:02x})",
-        rgb(pixel)
+        rgb(inspection.color)
     );
     text
 }
@@ -209,34 +210,13 @@ fn rgb([r, g, b]: [f32; 3]) -> String {
 
 /// The output of `--json`: numbers with all their digits.
 #[derive(Debug, Serialize)]
-struct Explanation {
+struct Explanation<'a> {
     view: usize,
     pixel: [i32; 2],
-    gaussians: Vec<Contribution>,
+    gaussians: &'a [Contribution],
     hidden: usize,
-    color_sum: [f32; 3],
-    alpha_sum: f32,
-    background: [f32; 3],
-    divided: bool,
-    color: [f32; 3],
-    color_8_bit: [u8; 3],
-}
-
-impl Explanation {
-    fn new(at: Place, inspection: &Inspection, hidden: usize) -> Self {
-        Self {
-            view: at.view,
-            pixel: at.pixel,
-            gaussians: inspection.contributions.clone(),
-            hidden,
-            color_sum: inspection.color_sum,
-            alpha_sum: inspection.alpha_sum,
-            background: inspection.background,
-            divided: inspection.is_divided(),
-            color: inspection.pixel,
-            color_8_bit: inspection.pixel.map(to_8_bit),
-        }
-    }
+    #[serde(flatten)]
+    inspection: &'a Inspection,
 }
 
 /// Number of pixels per view that are measured.

@@ -12,7 +12,7 @@ use super::picture::{self, Range};
 use super::queue::{FrameJob, NextJob, Payload, Question, Queue};
 use crate::{Editor, Photographs, Stage};
 use organza_core::error::{self, Result, refuse};
-use organza_core::image::{ChannelImage, Image, TILE_SIDE, to_8_bit};
+use organza_core::image::{ChannelImage, Image, TILE_SIDE};
 use organza_core::{Camera, RenderReport, TileBatch};
 use organza_data::Photograph;
 use organza_render::{
@@ -307,12 +307,8 @@ struct Explanation {
     /// Number of all Gaussians. The page gets those with the largest alpha.
     all: usize,
     gaussians: Vec<Row>,
-    color_sum: [f32; 3],
-    alpha_sum: f32,
-    background: [f32; 3],
-    divided: bool,
-    color: [f32; 3],
-    color_8_bit: [u8; 3],
+    #[serde(flatten)]
+    inspection: Inspection,
 }
 
 /// One Gaussian of the pixel.
@@ -356,9 +352,8 @@ pub fn explain(
         return refuse(format!("pixel {x},{y} is outside the image"));
     }
     let cameras = std::slice::from_ref(camera);
-    let (inspection, traces) = renderer.inspect_traced(scene, cameras, 0, pixel)?;
-    let divided = inspection.is_divided();
-    let Inspection { contributions, color_sum, alpha_sum, background, pixel: color } = inspection;
+    let (mut inspection, traces) = renderer.inspect_traced(scene, cameras, 0, pixel)?;
+    let contributions = std::mem::take(&mut inspection.contributions);
     let mut rows: Vec<_> = contributions.into_iter().zip(traces).collect();
     rows.retain(|(contribution, _)| contribution.falloff > 0.0);
     rows.sort_by(|(a, _), (b, _)| b.alpha.total_cmp(&a.alpha));
@@ -370,17 +365,8 @@ pub fn explain(
         let depth = camera.depth(position[contribution.gaussian].map(f64::from));
         Row::new(contribution, trace, depth * scene.config().placement.scale)
     };
-    let explanation = Explanation {
-        pixel,
-        all,
-        gaussians: rows.into_iter().map(row).collect(),
-        color_sum,
-        alpha_sum,
-        background,
-        divided,
-        color,
-        color_8_bit: color.map(to_8_bit),
-    };
+    let gaussians = rows.into_iter().map(row).collect();
+    let explanation = Explanation { pixel, all, gaussians, inspection };
     serde_json::to_vec(&explanation).or_else(|error| refuse(error.to_string()))
 }
 

@@ -17,6 +17,7 @@ use crate::stages::transmittance::{Ray, Transmittance, segments};
 use crate::{DeviceScene, Renderer};
 
 use muslin_device::Count;
+use organza_core::image::to_8_bit;
 use organza_core::{Camera, Result, Tile, TileBatch};
 
 /// The outputs of each stage for every Gaussian in one camera, N Gaussians.
@@ -76,10 +77,11 @@ pub struct Trace {
     pub ray: Ray,
 }
 
-/// How a pixel came about.
-#[derive(Clone, Debug, PartialEq)]
+/// How a pixel came about. As JSON, it has all but the Gaussians.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Inspection {
     /// The Gaussians whose support reaches the pixel's square, ascending.
+    #[serde(skip)]
     pub contributions: Vec<Contribution>,
     /// C of Eq. 12.
     pub color_sum: [f32; 3],
@@ -87,16 +89,12 @@ pub struct Inspection {
     pub alpha_sum: f32,
     /// Background b.
     pub background: [f32; 3],
-    /// I of Eq. 13.
-    pub pixel: [f32; 3],
-}
-
-impl Inspection {
     /// Whether Eq. 13 divided: S > 1.
-    #[must_use]
-    pub fn is_divided(&self) -> bool {
-        self.alpha_sum > 1.0
-    }
+    pub divided: bool,
+    /// I of Eq. 13.
+    pub color: [f32; 3],
+    /// The same in 8 bits.
+    pub color_8_bit: [u8; 3],
 }
 
 impl Renderer {
@@ -259,13 +257,16 @@ impl Renderer {
         }
         // the running sums were added here; these sums are the kernels'
         let sum = device.read(&part.composite.sum)?;
-        let pixel = device.read(&part.composite.image)?;
+        let image = device.read(&part.composite.image)?;
+        let color = [image[0], image[1], image[2]];
         let inspection = Inspection {
             contributions,
             color_sum: [sum[0], sum[1], sum[2]],
             alpha_sum: sum[3],
             background: scene.config.background.map(|channel| channel as f32),
-            pixel: [pixel[0], pixel[1], pixel[2]],
+            divided: sum[3] > 1.0,
+            color,
+            color_8_bit: color.map(to_8_bit),
         };
         Ok((inspection, part))
     }

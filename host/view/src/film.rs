@@ -115,18 +115,14 @@ fn mp4(frames: &Frames<'_>, output: &Path) -> Result<()> {
     let fed = feed(&mut child, frames);
     let status = child.wait();
     let said = said.join().unwrap_or_default();
-    match (fed, status) {
-        (Ok(()), Ok(status)) if status.success() => {}
+    match status {
         // if ffmpeg has failed, its own message says more than a broken pipe
-        (Err(Feed::Frame(path, source)), _) => return Err(Error::read(&path, source)),
-        (Err(Feed::Pipe(error)), Ok(status)) if status.success() => {
-            return refuse(format!("cannot send frames to ffmpeg: {error}"));
-        }
-        (_, Ok(status)) => {
+        Ok(status) if !status.success() && !matches!(fed, Err(Error::ReadFile { .. })) => {
             let last = said.lines().rev().find(|line| !line.trim().is_empty());
             return refuse(format!("ffmpeg ended with {status}: {}", last.unwrap_or("no message")));
         }
-        (_, Err(error)) => return refuse(format!("cannot wait for ffmpeg: {error}")),
+        Ok(_) => fed?,
+        Err(error) => return refuse(format!("cannot wait for ffmpeg: {error}")),
     }
     let mut film = File::open(&path).map_err(|source| Error::read(&path, source))?;
     write_atomic(output, |writer| io::copy(&mut film, writer).map(drop))
@@ -149,17 +145,12 @@ fn ffmpeg(fps: u32, output: &Path) -> Command {
     command
 }
 
-/// The reason why ffmpeg did not get all frames.
-enum Feed {
-    Frame(PathBuf, io::Error),
-    Pipe(io::Error),
-}
-
-fn feed(child: &mut Child, frames: &Frames<'_>) -> Result<(), Feed> {
+fn feed(child: &mut Child, frames: &Frames<'_>) -> Result<()> {
     let mut pipe = child.stdin.take().expect("it is piped");
     for frame in frames.files {
-        let bytes = fs::read(frame).map_err(|error| Feed::Frame(frame.clone(), error))?;
-        pipe.write_all(&bytes).map_err(Feed::Pipe)?;
+        let bytes = fs::read(frame).map_err(|error| Error::read(frame, error))?;
+        let sent = pipe.write_all(&bytes);
+        sent.or_else(|error| refuse(format!("cannot send frames to ffmpeg: {error}")))?;
         (frames.progress)();
     }
     Ok(())

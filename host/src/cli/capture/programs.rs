@@ -142,6 +142,15 @@ impl Call {
             )),
         }
     }
+
+    /// Starts the program, whose output is piped. Returns its name, too.
+    fn spawn(mut self) -> Result<(String, Child)> {
+        let name = self.command.get_program().to_string_lossy().into_owned();
+        match self.command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn() {
+            Ok(child) => Ok((name, child)),
+            Err(error) => refuse(format!("cannot run {name}: {error}")),
+        }
+    }
 }
 
 /// The name by which a help lists an option; `None` if it does not.
@@ -176,10 +185,7 @@ impl<'a> Programs<'a> {
 
     /// Runs a program to its end. `on_line` gets each line that it prints.
     pub fn run(&self, call: Call, mut on_line: impl FnMut(&str)) -> Result<()> {
-        let mut command = call.command;
-        let name = command.get_program().to_string_lossy().into_owned();
-        command.stdout(Stdio::piped()).stderr(Stdio::piped());
-        let mut child = spawn(&mut command)?;
+        let (name, mut child) = call.spawn()?;
         let (sender, lines) = mpsc::channel();
         read_lines(child.stdout.take().expect("it is piped"), sender.clone());
         read_lines(child.stderr.take().expect("it is piped"), sender);
@@ -221,10 +227,7 @@ impl<'a> Programs<'a> {
         mut on_piece: impl FnMut(&[u8]),
         mut on_line: impl FnMut(&str),
     ) -> Result<()> {
-        let mut command = call.command;
-        let name = command.get_program().to_string_lossy().into_owned();
-        command.stdout(Stdio::piped()).stderr(Stdio::piped());
-        let mut child = spawn(&mut command)?;
+        let (name, mut child) = call.spawn()?;
         let (sender, lines) = mpsc::channel();
         let mut error = None;
         let mut hear = |line: String| {
@@ -257,11 +260,6 @@ impl<'a> Programs<'a> {
         }
         refuse(format!("{name} failed ({status}): {}", said()))
     }
-}
-
-fn spawn(command: &mut Command) -> Result<Child> {
-    let name = command.get_program().to_string_lossy().into_owned();
-    command.spawn().or_else(|error| refuse(format!("cannot run {name}: {error}")))
 }
 
 /// Ends a program at once. It has finished if that fails.

@@ -85,7 +85,7 @@ impl Camera {
     /// the image's center.
     ///
     /// # Errors
-    /// [`Error::ReadFile`]; [`Error::BadJson`]; [`Error::Invalid`] if there are no frames; [`Error::Camera`] for the
+    /// [`Error::ReadFile`]; [`Error::BadJson`]; [`Error::Invalid`] if there are no frames, or for the
     /// first frame that describes no camera.
     pub fn load_all(path: impl AsRef<Path>) -> Result<Vec<Self>> {
         let path = path.as_ref();
@@ -111,7 +111,7 @@ impl Camera {
     /// images, so `distorted` is not kept.
     ///
     /// # Errors
-    /// [`Error::WriteFile`]; [`Error::Invalid`] without cameras; [`Error::Camera`] for the first camera that is not
+    /// [`Error::WriteFile`]; [`Error::Invalid`] without cameras, or for the first camera that is not
     /// valid.
     pub fn save_all(path: impl AsRef<Path>, cameras: &[Self]) -> Result<()> {
         let file = encode(cameras)?;
@@ -122,7 +122,7 @@ impl Camera {
     /// its image; pixels are square.
     ///
     /// # Errors
-    /// [`Error::Camera`] if `eye` is `target`, if `up` lies along the line of sight, or if the angle or the image
+    /// [`Error::Invalid`] if `eye` is `target`, if `up` lies along the line of sight, or if the angle or the image
     /// size is out of range.
     pub fn look_at(
         eye: [f64; 3],
@@ -262,7 +262,7 @@ impl Camera {
     /// Checks the pose and the intrinsics. Errors give the camera's index as `frame`.
     ///
     /// # Errors
-    /// [`Error::Camera`] for the first problem.
+    /// [`Error::Invalid`] for the first problem.
     pub fn validate(&self, frame: usize) -> Result<()> {
         self.check().map_err(|reason| camera_error(IN_MEMORY.as_ref(), frame, reason))
     }
@@ -367,5 +367,5 @@ pub fn encode(cameras: &[Camera]) -> Result<Vec<u8>> {
 /// The error of the camera in frame `frame` of the file `origin`.
 #[must_use]
 pub fn camera_error(origin: &Path, frame: usize, reason: String) -> Error {
-    Error::Camera { origin: origin.to_owned(), frame, reason }
+    Error::Invalid { origin: origin.to_owned(), reason: format!("camera frame {frame}: {reason}") }
 }

@@ -81,17 +81,6 @@ pub enum Error {
         reason: String,
     },
 
-    /// A tensor is absent, or its type, shape, size or values are wrong.
-    #[error("{}tensor `{tensor}` {reason}", place(origin))]
-    Tensor {
-        /// The file.
-        origin: PathBuf,
-        /// The tensor's name.
-        tensor: String,
-        /// The mistake, what was expected, and why.
-        reason: String,
-    },
-
     /// A value in the scene's configuration is out of range.
     #[error("{}config field `{field}`: {reason}", place(origin))]
     BadConfig {
@@ -118,33 +107,11 @@ pub enum Error {
         reason: String,
     },
 
-    /// A file or value is wrong as a whole; `reason` says how.
+    /// A file or a value is wrong: a tensor, a camera, a tile or another part, which `reason` names.
     #[error("{}{reason}", place(origin))]
     Invalid {
         /// The file.
         origin: PathBuf,
-        /// The mistake, and the allowed values.
-        reason: String,
-    },
-
-    /// A frame of a cameras file does not describe a camera.
-    #[error("{}camera frame {frame}: {reason}", place(origin))]
-    Camera {
-        /// The file.
-        origin: PathBuf,
-        /// 0-based index into `frames`.
-        frame: usize,
-        /// The mistake, and the allowed values.
-        reason: String,
-    },
-
-    /// An element of a tiles file does not describe a tile.
-    #[error("{}tile {tile}: {reason}", place(origin))]
-    Tile {
-        /// The file.
-        origin: PathBuf,
-        /// 0-based index into `tiles`.
-        tile: usize,
         /// The mistake, and the allowed values.
         reason: String,
     },
@@ -234,11 +201,7 @@ impl Error {
     /// The same error, of a value that a file holds. An error that names a file already stays as it is.
     #[must_use]
     pub fn in_file(mut self, file: &Path) -> Self {
-        if let Self::Tensor { origin, .. }
-        | Self::BadConfig { origin, .. }
-        | Self::Invalid { origin, .. }
-        | Self::Camera { origin, .. }
-        | Self::Tile { origin, .. } = &mut self
+        if let Self::BadConfig { origin, .. } | Self::Invalid { origin, .. } = &mut self
             && origin == Path::new(IN_MEMORY)
         {
             *origin = file.to_owned();

@@ -60,7 +60,7 @@ impl TileBatch {
     ///
     /// # Errors
     /// [`Error::ReadFile`]; [`Error::BadJson`]; [`Error::Invalid`] if the side, the number of tiles or the size of
-    /// the output is out of range; [`Error::Tile`] for the first element that is no tile.
+    /// the output is out of range, or for the first element that is no tile.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         Self::parse(&read_json(path)?, path)
@@ -94,7 +94,7 @@ impl TileBatch {
     /// Writes a file that [`Self::load`] reads, atomically.
     ///
     /// # Errors
-    /// [`Error::WriteFile`]; [`Error::Invalid`] and [`Error::Tile`] as [`Self::load`].
+    /// [`Error::WriteFile`]; [`Error::Invalid`] as [`Self::load`].
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         self.check()?;
         write_atomic(path, |writer| {
@@ -106,7 +106,7 @@ impl TileBatch {
     /// Checks the batch against its cameras.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if the side, the number of tiles or the size of the output is out of range; [`Error::Tile`]
+    /// [`Error::Invalid`] if the side, the number of tiles or the size of the output is out of range, or
     /// for the first tile whose origin is out of range or whose camera does not exist.
     pub fn validate(&self, cameras: &[Camera]) -> Result<()> {
         self.check()?;
@@ -129,7 +129,7 @@ impl TileBatch {
     ///
     /// # Errors
     /// [`Error::Argument`] for an image without pixels; [`Error::Invalid`] if the side or the size of the output is
-    /// out of range; [`Error::Tile`] if an origin is out of range.
+    /// out of range, or if an origin is out of range.
     pub fn cover(camera: usize, width: u32, height: u32, side: u32) -> Result<Self> {
         if width == 0 || height == 0 {
             return argument(format!("an image of {width} x {height} pixels has no tiles"));
@@ -212,7 +212,7 @@ fn origin_range(found: &str) -> String {
 }
 
 fn tile_error(tile: usize, reason: String) -> Error {
-    Error::Tile { origin: IN_MEMORY.into(), tile, reason }
+    Error::Invalid { origin: IN_MEMORY.into(), reason: format!("tile {tile}: {reason}") }
 }
 
 fn parse_tile(tile: &Value) -> Result<Tile, String> {

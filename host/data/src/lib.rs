@@ -115,8 +115,8 @@ impl Dataset {
     /// choice of held-out frames, so this choice does not change.
     ///
     /// # Errors
-    /// [`Error::Argument`] for options out of range; [`Error::ReadFile`], [`Error::BadJson`], [`Error::Invalid`] or
-    /// [`Error::Camera`] for files that are damaged, unknown or not supported; [`Error::Invalid`] if no frame is left
+    /// [`Error::Argument`] for options out of range; [`Error::ReadFile`], [`Error::BadJson`] or
+    /// [`Error::Invalid`] for files that are damaged, unknown or not supported, and if no frame is left
     /// to train on, or if a file is outside of the data set's folder and must not be;
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
     pub fn load(path: impl AsRef<Path>, options: &DatasetOptions) -> Result<Self> {
@@ -191,8 +191,8 @@ fn repeated(shots: &[Shot], digests: &[Digest]) -> Option<String> {
     Some(note)
 }
 
-/// A point of the world in the scene's coordinates. It is rounded to a step finer than any data set's precision, so that a run
-/// does not depend on the rounding in files.
+/// A point of the world in the scene's coordinates. It is rounded to a step finer than any data set's precision, so
+/// that a run does not depend on the rounding in files.
 fn own_point(placement: &Placement, position: [f64; 3]) -> [f64; 3] {
     if placement.is_identity() {
         return position;

@@ -263,7 +263,7 @@ impl Poses {
     /// for a camera that does not move.
     ///
     /// # Errors
-    /// [`Error::Camera`] if a moved camera is no longer valid.
+    /// [`Error::Invalid`] if a moved camera is no longer valid.
     pub fn move_cameras(&mut self, motions: &[Option<[f64; 6]>]) -> Result<()> {
         let moved = self.shots.iter_mut().zip(motions).enumerate();
         for (index, (shot, motion)) in moved {

@@ -54,7 +54,7 @@ const FAR: f64 = 20.0;
 /// length.
 ///
 /// # Errors
-/// [`Error::Camera`](organza_core::Error::Camera) if the size is out of range.
+/// [`Error::Invalid`](organza_core::Error::Invalid) if the size is out of range.
 pub fn cameras(count: usize, size: [u32; 2]) -> Result<Vec<Camera>> {
     let camera = |index: usize| {
         let time = index as f64 / count.max(2) as f64;

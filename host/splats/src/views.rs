@@ -53,7 +53,7 @@ impl Views {
     /// Cameras on several circles that see a whole box from all sides. Every eighth is only measured.
     ///
     /// # Errors
-    /// [`Error::Camera`](organza_core::Error::Camera) if the box has no outside.
+    /// [`Error::Invalid`](organza_core::Error::Invalid) if the box has no outside.
     pub fn around(aabb: [[f64; 3]; 2]) -> Result<Self> {
         let orbit = Orbit::from_box(aabb, SIZE);
         let circle = |elevation: f64| {
@@ -98,7 +98,7 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 /// degrees apart. Empty if there is no such path.
 ///
 /// # Errors
-/// [`Error::Camera`](organza_core::Error::Camera) for a camera that is not valid.
+/// [`Error::Invalid`](organza_core::Error::Invalid) for a camera that is not valid.
 pub fn between(cameras: &[Camera], count: usize) -> Result<Vec<Camera>> {
     if count == 0 {
         return Ok(Vec::new());

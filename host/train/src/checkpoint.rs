@@ -115,7 +115,7 @@ impl Checkpoint {
     /// Writes the file, atomically. With a `binding`, the file records the run's settings and data.
     ///
     /// # Errors
-    /// The same errors as [`Scene::save`]: [`Error::Tensor`] where training has overflowed.
+    /// The same errors as [`Scene::save`]: [`Error::Invalid`] where training has overflowed.
     pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
         self.with_encoding(binding, |tensors, metadata| write_tensors(path, tensors, metadata))
     }

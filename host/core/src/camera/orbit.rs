@@ -90,7 +90,7 @@ impl Orbit {
     /// Distance and elevation follow the cameras on the same side.
     ///
     /// # Errors
-    /// [`Error::Argument`](crate::Error::Argument) without cameras; [`Error::Camera`](crate::Error::Camera) as
+    /// [`Error::Argument`](crate::Error::Argument) without cameras; [`Error::Invalid`](crate::Error::Invalid) as
     /// [`Camera::look_at`].
     pub fn among(cameras: &[Camera], count: usize) -> Result<Vec<Camera>> {
         let orbit = Self::around(cameras)?;
@@ -145,7 +145,7 @@ impl Orbit {
     ///
     /// # Errors
     /// [`Error::Argument`](crate::Error::Argument) if `up` is zero or `toward` lies along it;
-    /// [`Error::Camera`](crate::Error::Camera) as [`Camera::look_at`].
+    /// [`Error::Invalid`](crate::Error::Invalid) as [`Camera::look_at`].
     pub fn cameras(&self, count: usize) -> Result<Vec<Camera>> {
         let up = DVec3::from(self.up).normalize_or_zero();
         let ahead = DVec3::from(self.toward).reject_from(DVec3::from(self.up)).normalize_or_zero();

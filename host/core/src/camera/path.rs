@@ -53,7 +53,7 @@ impl CameraPath {
     ///
     /// # Errors
     /// [`Error::Argument`](crate::Error::Argument) for fewer than two keys, or if sizes differ;
-    /// [`Error::Camera`](crate::Error::Camera) for the first key that is not valid.
+    /// [`Error::Invalid`](crate::Error::Invalid) for the first key that is not valid.
     pub fn through(keys: &[Camera], is_closed: bool) -> Result<Self> {
         let size = |camera: &Camera| [camera.width, camera.height];
         let (first, others) = match keys {

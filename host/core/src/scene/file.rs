@@ -24,7 +24,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::ReadFile`]; [`Error::BadSafetensors`]; [`Error::WrongFormat`]; [`Error::UnknownVersion`];
-    /// [`Error::BadJson`]; [`Error::BadConfig`]; [`Error::Invalid`] without Gaussians; [`Error::Tensor`]. All but a value that
+    /// [`Error::BadJson`]; [`Error::BadConfig`]; [`Error::Invalid`] without Gaussians, or for a tensor. All but a value that
     /// is not finite is found before any tensor is read.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();

@@ -88,7 +88,7 @@ impl Scene {
     /// Zero quaternions are not rotations, so such a scene renders as background.
     ///
     /// # Errors
-    /// [`Error::BadConfig`](crate::error::Error::BadConfig); [`Error::Tensor`](crate::error::Error::Tensor) for one that would
+    /// [`Error::BadConfig`](crate::error::Error::BadConfig); [`Error::Invalid`](crate::error::Error::Invalid) for one that would
     /// be larger than the kernels can address; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
     pub fn zeros(config: SceneConfig, gaussians: usize) -> Result<Self> {
         config.validate()?;

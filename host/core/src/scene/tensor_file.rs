@@ -8,7 +8,7 @@ use safetensors::tensor::{Dtype, Metadata, TensorInfo};
 use serde_json::{Map, Value, json};
 
 use super::tensors::TensorSpec;
-use crate::error::argument;
+use crate::error::{argument, invalid};
 use crate::input::open_regular;
 use crate::{Error, Result, write_atomic};
 use muslin_error::memory;
@@ -31,7 +31,7 @@ pub struct Tensor {
 ///
 /// # Errors
 /// [`Error::ReadFile`]; [`Error::BadSafetensors`] for a file that is cut short, damaged or of another kind;
-/// [`Error::Tensor`] for another type; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+/// [`Error::Invalid`] for another type; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
 pub fn read_tensors(path: impl AsRef<Path>) -> Result<BTreeMap<String, Tensor>> {
     let path = path.as_ref();
     let (file, length) = open_regular(path)?;
@@ -174,11 +174,10 @@ impl Header {
     /// Fails if the tensor exists and is not F32.
     pub fn require_f32(&self, name: &str, origin: &Path) -> Result<()> {
         match self.header.info(name) {
-            Some(TensorInfo { dtype, .. }) if *dtype != Dtype::F32 => Err(Error::Tensor {
-                origin: origin.to_owned(),
-                tensor: name.to_owned(),
-                reason: format!("is {dtype:?}, expected F32; convert it and save again"),
-            }),
+            Some(TensorInfo { dtype, .. }) if *dtype != Dtype::F32 => invalid(
+                origin,
+                format!("tensor `{name}` is {dtype:?}, expected F32; convert it and save again"),
+            ),
             _ => Ok(()),
         }
     }

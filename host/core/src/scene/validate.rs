@@ -5,13 +5,13 @@ use std::path::Path;
 
 use super::tensors::{MAX_VALUES, TensorSpec};
 use super::{Scene, Tensor};
-use crate::error::{Error, IN_MEMORY, Result, refuse};
+use crate::error::{Result, refuse};
 
 impl TensorSpec {
     /// Checks the shape that the tensor has in the file `origin`, if it is there.
     ///
     /// # Errors
-    /// [`Error::Tensor`].
+    /// [`Error::Invalid`](crate::Error::Invalid).
     pub fn check_shape(&self, found: Option<&[usize]>) -> Result<()> {
         let Self { shape: expected, why, .. } = self;
         let reason = match found {
@@ -24,9 +24,9 @@ impl TensorSpec {
         self.wrong(reason)
     }
 
-    /// [`Error::Tensor`] of this tensor.
+    /// An error about this tensor.
     fn wrong<T>(&self, reason: String) -> Result<T> {
-        Err(Error::Tensor { origin: IN_MEMORY.into(), tensor: self.name.clone(), reason })
+        refuse(format!("tensor `{}` {reason}", self.name))
     }
 
     /// Takes the tensor's values from the `tensors` of the file `origin`.
@@ -51,7 +51,7 @@ impl TensorSpec {
     /// Checks that all values are finite.
     ///
     /// # Errors
-    /// [`Error::Tensor`].
+    /// [`Error::Invalid`](crate::Error::Invalid).
     pub fn check_finite(&self, values: &[f32]) -> Result<()> {
         let Some(index) = values.iter().position(|value| !value.is_finite()) else { return Ok(()) };
         let reason = format!(
@@ -67,7 +67,8 @@ impl Scene {
     /// configuration gives it, and that every value is finite.
     ///
     /// # Errors
-    /// [`Error::BadConfig`]; [`Error::Invalid`] without Gaussians; [`Error::Tensor`].
+    /// [`Error::BadConfig`](crate::Error::BadConfig); [`Error::Invalid`](crate::Error::Invalid) without Gaussians, or
+    /// for a tensor.
     pub fn validate(&self) -> Result<()> {
         self.config.validate()?;
         if self.gaussians.is_empty() {

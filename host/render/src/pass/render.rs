@@ -12,7 +12,7 @@ impl Renderer {
     /// not change the image.
     ///
     /// # Errors
-    /// [`Error::Tile`](organza_core::Error::Tile) where a tile has no camera or an impossible place,
+    /// [`Error::Invalid`](organza_core::Error::Invalid) where a tile has no camera or an impossible place,
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) where a single tile does not fit,
     /// [`DeviceError::DeviceLost`](organza_core::error::DeviceError::DeviceLost).
     pub fn render(

@@ -111,7 +111,7 @@ impl DeviceScene {
     ///
     /// # Errors
     /// [`Error::Argument`](organza_core::Error::Argument) where there is no such tensor, or where the scene was
-    /// uploaded as halves; [`Error::Tensor`](organza_core::Error::Tensor) for another number of values, or one that is
+    /// uploaded as halves; [`Error::Invalid`](organza_core::Error::Invalid) for another number of values, or one that is
     /// not finite; the same errors as [`Device::write`].
     pub fn write(&self, device: &Device, name: &str, values: &[f32]) -> Result<()> {
         self.require_gradients()?;

@@ -123,7 +123,6 @@ pub fn measure(
 }
 
 /// Number of passes that [`measure`] makes.
-#[must_use]
 pub fn passes(device: &Device, options: BenchOptions) -> usize {
     bench::passes(device, options.repeat) * (1 + usize::from(options.backward))
 }

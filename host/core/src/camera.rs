@@ -149,7 +149,6 @@ impl Camera {
 
     /// A camera from its pose, focal lengths, principal point and image size, all in pixels. [`Self::validate`]
     /// checks it.
-    #[must_use]
     pub fn pinhole(
         camera_to_world: [[f64; 4]; 4],
         [fl_x, fl_y]: [f64; 2],
@@ -198,14 +197,12 @@ impl Camera {
     }
 
     /// The depth of a place along the camera's axis, in world units; negative behind the camera.
-    #[must_use]
     pub fn depth(&self, place: [f64; 3]) -> f64 {
         self.axes()[2].dot(DVec3::from(place) - DVec3::from(self.eye()))
     }
 
     /// Where a place is in the camera's image: column, row, and depth as [`Self::depth`]. `None` if it is outside of the
     /// image.
-    #[must_use]
     pub fn project(&self, place: [f64; 3]) -> Option<[f64; 3]> {
         let offset = DVec3::from(place) - DVec3::from(self.eye());
         let [x, y, z] = self.axes().map(|axis| axis.dot(offset));
@@ -218,13 +215,11 @@ impl Camera {
     }
 
     /// The depth of a place in world units, as [`Self::depth`]; `None` if it is outside of the camera's image.
-    #[must_use]
     pub fn depth_in_image(&self, place: [f64; 3]) -> Option<f64> {
         self.project(place).map(|[.., depth]| depth)
     }
 
     /// The camera in the form that kernels read: OpenCV axes, f32.
-    #[must_use]
     pub fn for_kernels(&self) -> KernelCamera {
         KernelCamera {
             rotation: self.axes().map(|axis| axis.as_vec3()),
@@ -237,7 +232,6 @@ impl Camera {
 
     /// Right, down and forward in the world: the axes of OpenCV's camera, and the rows of the rotation from world to camera
     /// axes.
-    #[must_use]
     pub fn axes(&self) -> [DVec3; 3] {
         let column = |axis: usize, sign: f64| {
             sign * DVec3::from_array(std::array::from_fn(|row| self.camera_to_world[row][axis]))
@@ -247,14 +241,12 @@ impl Camera {
     }
 
     /// The rotation from OpenCV's camera axes to world axes.
-    #[must_use]
     pub fn to_world(&self) -> DMat3 {
         let [right, down, forward] = self.axes();
         DMat3::from_cols(right, down, forward)
     }
 
     /// The camera's center in world space.
-    #[must_use]
     pub fn eye(&self) -> [f64; 3] {
         std::array::from_fn(|row| self.camera_to_world[row][3])
     }
@@ -365,7 +357,6 @@ pub fn encode(cameras: &[Camera]) -> Result<Vec<u8>> {
 }
 
 /// The error of the camera in frame `frame` of the file `origin`.
-#[must_use]
 pub fn camera_error(origin: &Path, frame: usize, reason: String) -> Error {
     Error::Invalid { origin: origin.to_owned(), reason: format!("camera frame {frame}: {reason}") }
 }

@@ -40,7 +40,6 @@ const AZIMUTH: f64 = 195.0;
 const ANGLE: f64 = 29.0;
 
 /// The built-in scene. Two calls give the same scene.
-#[must_use]
 pub fn scene() -> Scene {
     // The fields are sums over all pieces, so the first call takes half a second.
     static SCENE: LazyLock<Scene> = LazyLock::new(build);
@@ -67,7 +66,6 @@ fn build() -> Scene {
 ///
 /// # Panics
 /// If `side` is no valid image size: 0, or more than [`MAX_IMAGE_SIDE`](crate::camera::MAX_IMAGE_SIDE).
-#[must_use]
 pub fn turntable(views: usize, side: u32) -> Vec<Camera> {
     let (height, reach) = ELEVATION.to_radians().sin_cos();
     let camera = |view: usize| {

@@ -147,7 +147,6 @@ pub enum Error {
 /// let message = error::chain(&error);
 /// assert_eq!(message, "cannot read nowhere.safetensors: there is no such file; check the path");
 /// ```
-#[must_use]
 pub fn chain(error: &(dyn std::error::Error + 'static)) -> String {
     let mut message = error.to_string();
     let is_of_memory = |error: &(dyn std::error::Error + 'static)| {
@@ -193,7 +192,6 @@ pub fn argument<T>(reason: impl Into<String>) -> Result<T> {
 
 impl Error {
     /// Whether the host or the device ran out of memory.
-    #[must_use]
     pub fn is_out_of_memory(&self) -> bool {
         matches!(self, Self::Device(DeviceError::OutOfMemory { .. }))
     }
@@ -210,14 +208,12 @@ impl Error {
     }
 
     /// A failure to read `path`.
-    #[must_use]
     pub fn read(path: &Path, source: io::Error) -> Self {
         let source = io::Error::new(source.kind(), describe_read(&source));
         Self::ReadFile { path: path.to_owned(), source }
     }
 
     /// A failure to write `path`.
-    #[must_use]
     pub fn write(path: &Path, source: io::Error) -> Self {
         let source = io::Error::new(source.kind(), describe_write(path, &source));
         Self::WriteFile { path: path.to_owned(), source }

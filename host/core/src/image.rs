@@ -73,26 +73,22 @@ impl Image {
     ///
     /// # Panics
     /// Where there are not width times height pixels.
-    #[must_use]
     pub fn from_pixels([width, height]: [u32; 2], pixels: &[[u8; 3]]) -> Self {
         assert_eq!(pixels.len(), width as usize * height as usize, "pixels of an image");
         Self { width, height, pixels: pixels.to_vec(), not_finite: 0 }
     }
 
     /// Width and height in pixels.
-    #[must_use]
     pub fn size(&self) -> [u32; 2] {
         [self.width, self.height]
     }
 
     /// Red, green and blue of every pixel, row by row.
-    #[must_use]
     pub fn pixels(&self) -> &[[u8; 3]] {
         &self.pixels
     }
 
     /// Number of pixels that were rendered as NaN or infinity: networks with huge weights can cause that.
-    #[must_use]
     pub fn not_finite(&self) -> u64 {
         self.not_finite
     }
@@ -257,7 +253,6 @@ impl Pixels<'_> {
 }
 
 /// Rounds a value from 0 to 1 to the nearest of 256 levels. Values outside are clamped, and NaN is 0.
-#[must_use]
 pub fn to_8_bit(value: f32) -> u8 {
     (value.clamp(0.0, 1.0) * 255.0).round() as u8
 }

@@ -17,7 +17,6 @@ use muslin_error::memory;
 const MAX_JSON_BYTES: u64 = 256 << 20;
 
 /// Whether a file's name ends with one of these extensions, in lower or upper case.
-#[must_use]
 pub fn has_extension(path: &Path, extensions: &[&str]) -> bool {
     let extension = path.extension().and_then(OsStr::to_str).map(str::to_lowercase);
     extension.is_some_and(|extension| extensions.contains(&&*extension))

@@ -24,7 +24,6 @@ const C1: f64 = 1e-4;
 const C2: f64 = 9e-4;
 
 /// The weights of SSIM's window along one axis: a Gaussian of sigma 1.5 pixels at 11 pixels, of sum 1.
-#[must_use]
 pub fn window() -> [f64; WINDOW] {
     let weight = |at: usize| {
         let distance = at as f64 - WINDOW_RADIUS as f64;
@@ -50,7 +49,6 @@ pub fn window() -> [f64; WINDOW] {
 ///
 /// # Panics
 /// If `image`, `truth` and `valid` have different lengths.
-#[must_use]
 pub fn psnr(image: &[[f32; 3]], truth: &[[f32; 3]], valid: Option<&[bool]>) -> Option<f64> {
     check_lengths(image, truth, valid);
     let mut sum = 0.0;
@@ -66,7 +64,6 @@ pub fn psnr(image: &[[f32; 3]], truth: &[[f32; 3]], valid: Option<&[bool]>) -> O
 }
 
 /// The peak signal-to-noise ratio in decibels of a mean squared error; infinite for 0.
-#[must_use]
 pub fn psnr_of(mean_squared_error: f64) -> f64 {
     // -10 log10(0) is infinite, too; -0.0 for an error of 1 is not wanted
     -10.0 * mean_squared_error.log10() + 0.0
@@ -88,7 +85,6 @@ pub fn psnr_of(mean_squared_error: f64) -> f64 {
 ///
 /// # Panics
 /// If `image`, `truth` and `valid` do not have width x height elements.
-#[must_use]
 pub fn ssim(
     [width, height]: [usize; 2],
     image: &[[f32; 3]],
@@ -196,7 +192,6 @@ fn similarity([x, y, xx, yy, xy]: Moments) -> f64 {
 pub const ERROR_FACTOR: u32 = 5;
 
 /// The mean absolute difference of the channels times [`ERROR_FACTOR`]; 0 where the photograph has no valid pixel.
-#[must_use]
 pub fn error_levels(truth: &[[u8; 3]], rendered: &[[u8; 3]], valid: Option<&[bool]>) -> Vec<u8> {
     let level = |(at, (a, b)): (usize, (&[u8; 3], &[u8; 3]))| {
         let sum: u32 = a.iter().zip(b).map(|(a, b)| u32::from(a.abs_diff(*b))).sum();

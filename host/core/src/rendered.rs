@@ -27,7 +27,6 @@ impl Channel {
     pub const ALL: [Self; 4] = [Self::Depth, Self::Alpha, Self::Visibility, Self::Normal];
 
     /// Name: `depth`, `alpha`, `visibility` or `normal`.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Depth => "depth",
@@ -38,7 +37,6 @@ impl Channel {
     }
 
     /// Values of a pixel: 3 of a normal, 1 of all others.
-    #[must_use]
     pub fn planes(self) -> usize {
         if self == Self::Normal { 3 } else { 1 }
     }
@@ -96,7 +94,6 @@ impl RenderedTiles {
     ///
     /// # Panics
     /// Where there is no such tile, or `x` or `y` is not less than the side.
-    #[must_use]
     pub fn rgb(&self, tile: usize, x: usize, y: usize) -> [f32; 3] {
         let side = self.side as usize;
         assert!(x < side && y < side, "a tile has no pixel ({x}, {y}): its side is {side}");

@@ -151,7 +151,6 @@ impl TileBatch {
     }
 
     /// The shape of the output, `[K, 3, S, S]`.
-    #[must_use]
     pub fn output_shape(&self) -> [usize; 4] {
         let side = self.side as usize;
         [self.tiles.len(), CHANNELS as usize, side, side]

@@ -34,7 +34,6 @@ pub struct Fingerprint {
 
 impl Fingerprint {
     /// Describes the difference to `earlier`; `None` if there is none. Photographs that were not read are not compared.
-    #[must_use]
     pub fn difference(&self, earlier: &Self) -> Option<&'static str> {
         let parts = [
             (

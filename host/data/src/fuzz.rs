@@ -10,7 +10,6 @@ use super::{DatasetOptions, Poses, colmap, decode, ply};
 use organza_core::input::parse_json;
 
 /// The path that errors name.
-#[must_use]
 pub fn origin() -> &'static Path {
     Path::new("bytes")
 }

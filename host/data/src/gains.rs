@@ -22,7 +22,6 @@ impl Dataset {
     ///
     /// The gain of a photograph is the median, over the points in its image, of the pixel divided by the point's color. Pixels
     /// that differ from the median by a factor of more than 1.5 do not count, as something may be in front of the point.
-    #[must_use]
     pub fn exposure_spread(&self) -> Option<f64> {
         let frames: Vec<_> = self.train_frames().collect();
         let gains: Vec<_> =

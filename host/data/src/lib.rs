@@ -151,7 +151,6 @@ impl Dataset {
 
     /// A data set of frames that were not read from files, on a black background. Every `hold_out_every`-th frame is
     /// held out, starting with the first; 0 holds out none.
-    #[must_use]
     pub fn from_frames(frames: Vec<Frame>, hold_out_every: usize) -> Self {
         let (held_out, train) =
             (0..frames.len()).partition(|&index| is_held_out(index, hold_out_every));
@@ -261,7 +260,6 @@ fn list(poses: &mut Poses) -> Result<()> {
 }
 
 /// Whether a file's name has a video's ending.
-#[must_use]
 pub fn is_video(path: &Path) -> bool {
     has_extension(path, &["3gp", "avi", "m2ts", "m4v", "mkv", "mov", "mp4", "mts", "webm"])
 }

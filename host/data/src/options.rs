@@ -102,7 +102,6 @@ enum Written {
 
 impl Background {
     /// The color, if there is one; black for [`Background::Auto`].
-    #[must_use]
     pub fn color(self) -> [f32; 3] {
         match self {
             Self::Auto => [0.0; 3],

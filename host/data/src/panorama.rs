@@ -57,7 +57,6 @@ const GRID: u32 = 32;
 const ENDING: &str = ".png";
 
 /// Whether an image of `[width, height]` pixels has the shape of a panorama of 360 degrees.
-#[must_use]
 pub fn is_panorama([width, height]: [u32; 2]) -> bool {
     (f64::from(width) - 2.0 * f64::from(height)).abs() <= 0.01 * f64::from(width)
 }
@@ -71,7 +70,6 @@ pub fn is_panorama([width, height]: [u32; 2]) -> bool {
 /// assert_eq!(panorama_of("images/7.front.png", &HEADINGS), None);
 /// assert_eq!(panorama_of("images/7.png", &FACES), None);
 /// ```
-#[must_use]
 pub fn panorama_of<'n>(name: &'n str, views: &[PanoramaView]) -> Option<&'n str> {
     Some(view_of(name, views)?.0)
 }
@@ -85,7 +83,6 @@ fn view_of<'n>(name: &'n str, views: &[PanoramaView]) -> Option<(&'n str, DMat3)
 
 /// The cameras of each panorama's `views`, all at one place, sorted by name. `found` has a camera for each view of
 /// [`HEADINGS`]. A panorama has the median pose of its found views, so some may be wrong or missing.
-#[must_use]
 pub fn join(found: &[Camera], views: &[PanoramaView]) -> Vec<Camera> {
     let mut panoramas: BTreeMap<_, Vec<(DVec4, DVec3)>> = BTreeMap::new();
     for camera in found {
@@ -116,7 +113,6 @@ pub fn join(found: &[Camera], views: &[PanoramaView]) -> Vec<Camera> {
 }
 
 /// The first part of the names of a panorama's views, given the name of its file.
-#[must_use]
 pub fn stem(name: &str) -> &str {
     name.strip_suffix(ENDING).unwrap_or(name)
 }

@@ -73,31 +73,26 @@ impl Photograph {
     }
 
     /// Width in pixels.
-    #[must_use]
     pub fn width(&self) -> u32 {
         self.width
     }
 
     /// Height in pixels.
-    #[must_use]
     pub fn height(&self) -> u32 {
         self.height
     }
 
     /// Red, green and blue of every pixel, row by row. Invalid pixels are black.
-    #[must_use]
     pub fn pixels(&self) -> &[[u8; 3]] {
         &self.pixels
     }
 
     /// Whether each pixel is valid, row by row; `None` if all are.
-    #[must_use]
     pub fn valid(&self) -> Option<&[bool]> {
         self.valid.as_deref()
     }
 
     /// Whether every pixel is valid.
-    #[must_use]
     pub fn all_valid(&self) -> bool {
         self.valid.is_none()
     }
@@ -111,7 +106,6 @@ impl Photograph {
     ///
     /// # Panics
     /// If the pixel is outside the photograph.
-    #[must_use]
     pub fn is_valid(&self, x: u32, y: u32) -> bool {
         let index = self.index(x, y);
         self.valid.as_ref().is_none_or(|valid| valid[index])
@@ -121,7 +115,6 @@ impl Photograph {
     ///
     /// # Panics
     /// If the pixel is outside the photograph.
-    #[must_use]
     pub fn color(&self, x: u32, y: u32) -> [f32; 3] {
         self.pixels[self.index(x, y)].map(|value| f32::from(value) / 255.0)
     }
@@ -130,7 +123,6 @@ impl Photograph {
     ///
     /// # Panics
     /// If the pixel is outside the photograph.
-    #[must_use]
     pub fn alpha(&self, x: u32, y: u32) -> f32 {
         let index = self.index(x, y);
         self.alpha.as_ref().map_or(1.0, |alpha| f32::from(alpha[index]) / 255.0)

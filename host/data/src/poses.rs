@@ -216,7 +216,6 @@ impl Poses {
     }
 
     /// Describes how frames and points differ from a run's; `None` if they do not.
-    #[must_use]
     pub fn difference(&self, trained: &Fingerprint) -> Option<&'static str> {
         self.fingerprint.difference(trained)
     }
@@ -306,7 +305,6 @@ impl Poses {
     }
 
     /// The data set's points.
-    #[must_use]
     pub fn points(&self) -> &[Point] {
         &self.points
     }
@@ -384,7 +382,6 @@ fn significant(number: f64) -> String {
 }
 
 /// The format of the data set in a folder, by the names of its files; `None` if there is no data set.
-#[must_use]
 pub fn kind_of(folder: &Path) -> Option<DatasetKind> {
     Layout::detect(&folder_of(folder)).map(|layout| match layout {
         Layout::Nerfstudio(_) => DatasetKind::Nerfstudio,

@@ -4,7 +4,6 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64;
 
 /// Random numbers for a purpose and a time, independent of all other purposes and times.
-#[must_use]
 pub fn random(seed: u64, purpose: u64, time: u64) -> Pcg64 {
     // splitmix64's increment and an odd constant keep neighbors apart; the generator's own seeding mixes them
     let mixed = seed

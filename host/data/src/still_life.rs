@@ -71,7 +71,6 @@ pub fn cameras(count: usize, size: [u32; 2]) -> Result<Vec<Camera>> {
 }
 
 /// Whether the hand shakes at the photograph of this index: at one in nine.
-#[must_use]
 pub fn is_shaken(index: usize) -> bool {
     index % 9 == 7
 }

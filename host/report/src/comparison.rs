@@ -26,7 +26,6 @@ pub struct Difference {
 }
 
 /// The settings that differ between runs, in the order of `config.toml`, without `run.schedule`: no user sets it.
-#[must_use]
 pub fn differences<'a>(runs: impl IntoIterator<Item = &'a Run>) -> Vec<Difference> {
     let lists: Vec<_> = runs.into_iter().map(|run| run.config.list()).collect();
     let mut seen = BTreeSet::new();

@@ -56,7 +56,6 @@ impl Run {
     }
 
     /// The progress of the run.
-    #[must_use]
     pub fn summary(&self) -> Summary {
         let last = |is: fn(&Record) -> bool| self.records.iter().rfind(|record| is(record));
         let evaluation = last(|record| matches!(record, Record::Evaluation { .. }));
@@ -99,7 +98,6 @@ impl Run {
     }
 
     /// Name of the folder.
-    #[must_use]
     pub fn name(&self) -> String {
         name_of(&self.folder)
     }
@@ -116,7 +114,6 @@ impl Run {
     }
 
     /// Number of all steps, also after the last evaluation.
-    #[must_use]
     pub fn last_step(&self) -> u64 {
         self.records.iter().map(Record::step).max().unwrap_or_default()
     }
@@ -222,7 +219,6 @@ pub struct Reporter {
 
 impl Reporter {
     /// A listener to the run in a folder.
-    #[must_use]
     pub fn new(folder: &RunFolder) -> Self {
         let folder = folder.path().to_owned();
         Self { pictures: Pictures::from_run(&folder), folder, step: 0 }

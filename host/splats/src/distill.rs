@@ -115,7 +115,6 @@ impl Judges {
 
 impl Distilled {
     /// The PSNR of other Gaussians in the views of [`Self::psnr`], such as Gaussians that a file has rounded.
-    #[must_use]
     pub fn psnr_of(&self, splats: &[Splat]) -> f64 {
         self.judges.psnr(splats)
     }

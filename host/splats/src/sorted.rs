@@ -177,7 +177,6 @@ pub(super) fn blend(
 }
 
 /// The image of some Gaussians, row by row. Values are not clamped to 0 to 1.
-#[must_use]
 pub fn render(splats: &[Splat], camera: &Camera, background: [f32; 3]) -> Vec<[f32; 3]> {
     let view = SortedView::new(splats, camera);
     let tiles: Vec<_> = (0..view.tiles.len())

@@ -25,7 +25,6 @@ pub struct Views {
 
 impl Views {
     /// Every eighth camera is only measured. With fewer than eight, none is.
-    #[must_use]
     pub fn from_cameras(cameras: Vec<Camera>) -> Self {
         let mut fitted = Vec::new();
         let mut judges = Vec::new();
@@ -39,7 +38,6 @@ impl Views {
 
     /// The frames of a data set. Those that training saw are fitted, and the held-out ones are only measured. If
     /// there are no frames of one kind, the others are fitted.
-    #[must_use]
     pub fn from_data_set(data: &Dataset) -> Self {
         let cameras = |frames: &mut dyn Iterator<Item = &Frame>| -> Vec<_> {
             frames.map(|frame| frame.camera.clone()).collect()
@@ -81,7 +79,6 @@ impl SplatFile {
 }
 
 /// The box of nearly all of the opacity, as [`scene::bounds`] says.
-#[must_use]
 pub fn bounds(splats: &[Splat]) -> [[f64; 3]; 2] {
     let position: Vec<_> = splats.iter().map(|splat| splat.position).collect();
     let log_scale: Vec<_> = splats.iter().map(|splat| splat.log_scale).collect();

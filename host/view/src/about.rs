@@ -41,7 +41,6 @@ pub struct About {
 
 impl About {
     /// Facts about a scene and its data set. `title` is the path that the user named.
-    #[must_use]
     pub fn new(
         title: &str,
         renderer: &Renderer,

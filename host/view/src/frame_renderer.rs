@@ -44,7 +44,6 @@ struct Eye {
 
 impl FrameRenderer {
     /// A frame renderer that takes requests from `queue`.
-    #[must_use]
     pub fn new(queue: Arc<Queue>, photographs: Photographs) -> Self {
         Self { queue, photographs, eyes: Vec::new(), editor: None }
     }

@@ -45,13 +45,11 @@ impl fmt::Debug for Photographs {
 
 impl Photographs {
     /// Photographs of a source.
-    #[must_use]
     pub fn new(source: PhotographSource) -> Self {
         Self { source, ..Self::default() }
     }
 
     /// Whether there are any.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         matches!(self.source, PhotographSource::None)
     }

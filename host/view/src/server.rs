@@ -97,13 +97,11 @@ impl Server {
     }
 
     /// The port at which the server listens.
-    #[must_use]
     pub fn port(&self) -> u16 {
         self.listener.local_addr().map_or(0, |address| address.port())
     }
 
     /// Address of the page, including the token.
-    #[must_use]
     pub fn url(&self) -> String {
         let address = self.listener.local_addr().map(|address| address.to_string());
         let address = address.unwrap_or_default();

@@ -53,7 +53,6 @@ impl Clock {
 
 impl<'a> TrainingView<'a> {
     /// Shows a training on a `server`. Images take up to `share` of the time. The page's button sets `stop`.
-    #[must_use]
     pub fn new(
         server: Server,
         renderer: &'a Renderer,

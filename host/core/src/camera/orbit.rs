@@ -124,7 +124,6 @@ impl Orbit {
     }
 
     /// An orbit around a box (its lowest and highest corner) that sees all of it; z is up.
-    #[must_use]
     pub fn from_box([low, high]: [[f64; 3]; 2], size: [u32; 2]) -> Self {
         let [low, high] = [low, high].map(DVec3::from);
         let [width, height] = size.map(f64::from);

@@ -93,7 +93,6 @@ impl CameraPath {
     }
 
     /// Time of each key, from 0 to 1. On a closed path, 1 is the time back at the first key.
-    #[must_use]
     pub fn times(&self) -> Vec<f64> {
         self.times.iter().map(|time| time / self.end()).collect()
     }

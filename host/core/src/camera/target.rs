@@ -20,7 +20,6 @@ pub struct Target {
 
 impl Target {
     /// The point nearest to the cameras' optical axes. A few cameras that look elsewhere do not move it.
-    #[must_use]
     pub fn from_cameras(cameras: &[Camera]) -> Self {
         let eyes: Vec<_> = cameras.iter().map(|camera| DVec3::from(camera.eye())).collect();
         let axes: Vec<_> = cameras.iter().map(axis).collect();
@@ -52,7 +51,6 @@ impl Target {
     }
 
     /// The box around the ball that the images show, its radius times `part`: lowest and highest corner.
-    #[must_use]
     pub fn ball(&self, part: f64) -> [DVec3; 2] {
         [self.center - part * self.radius, self.center + part * self.radius]
     }
@@ -88,7 +86,6 @@ fn nearest_to_axes(eyes: &[DVec3], axes: &[DVec3], middle: DVec3, spread: f64) -
 }
 
 /// The median; 0 without numbers.
-#[must_use]
 pub fn median(numbers: impl Iterator<Item = f64>) -> f64 {
     let mut numbers: Vec<_> = numbers.collect();
     if numbers.is_empty() {

@@ -29,7 +29,6 @@ pub enum ChannelFormat {
 
 impl ChannelFormat {
     /// Extension of the format's files: `png` or `exr`.
-    #[must_use]
     pub fn extension(self) -> &'static str {
         match self {
             Self::Png { .. } => "png",
@@ -72,19 +71,16 @@ impl ChannelImage {
     }
 
     /// The channel that it shows.
-    #[must_use]
     pub fn channel(&self) -> Channel {
         self.channel
     }
 
     /// Width and height in pixels.
-    #[must_use]
     pub fn size(&self) -> [u32; 2] {
         self.size
     }
 
     /// Values, `[planes, height, width]`.
-    #[must_use]
     pub fn values(&self) -> &[f32] {
         &self.values
     }
@@ -114,7 +110,6 @@ impl ChannelImage {
     }
 
     /// Number of pixels whose depth exceeds a 16-bit PNG's range: they get its largest level.
-    #[must_use]
     pub fn clipped(&self, format: ChannelFormat) -> u64 {
         match (self.channel, format) {
             (Channel::Depth, ChannelFormat::Png { depth_scale }) => {
@@ -126,7 +121,6 @@ impl ChannelImage {
     }
 
     /// Number of values that are NaN or infinite: networks with huge weights and Gaussians far away can cause that.
-    #[must_use]
     pub fn not_finite(&self) -> u64 {
         self.values.iter().filter(|value| !value.is_finite()).count() as u64
     }

@@ -55,7 +55,6 @@ impl ThreadRanks {
     ///
     /// # Panics
     /// If `size` is 0.
-    #[must_use]
     pub fn new(size: usize) -> Vec<Self> {
         assert!(size > 0, "no rank");
         let state = CallState { messages: vec![None; size], ..CallState::default() };
@@ -78,7 +77,6 @@ impl ThreadRanks {
     }
 
     /// A rank without others.
-    #[must_use]
     pub fn alone() -> Self {
         Self::new(1).swap_remove(0)
     }

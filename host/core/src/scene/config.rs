@@ -82,13 +82,11 @@ pub enum Contraction {
 
 impl Contraction {
     /// Whether this is [`Contraction::None`].
-    #[must_use]
     pub fn is_none(&self) -> bool {
         *self == Self::None
     }
 
     /// The value that kernels read: 0 or 1.
-    #[must_use]
     pub fn for_kernels(self) -> u32 {
         u32::from(!self.is_none())
     }
@@ -126,13 +124,11 @@ impl SceneConfig {
     }
 
     /// Number of spherical harmonics, `(sh_degree + 1)^2`.
-    #[must_use]
     pub fn sh_width(&self) -> usize {
         (self.sh_degree as usize).saturating_add(1).saturating_pow(2)
     }
 
     /// Inputs of the color network: spherical harmonics, hash grid, material, in that order.
-    #[must_use]
     pub fn color_inputs(&self) -> usize {
         self.sh_width()
             .saturating_add(self.color_grid.width())
@@ -140,19 +136,16 @@ impl SceneConfig {
     }
 
     /// Inputs of the transmittance network: hash grid, extra, in that order.
-    #[must_use]
     pub fn transmittance_inputs(&self) -> usize {
         self.transmittance_grid.width().saturating_add(self.extra as usize)
     }
 
     /// Widths of the color network: its inputs, its hidden layers, its outputs.
-    #[must_use]
     pub fn color_widths(&self) -> Vec<usize> {
         self.color_mlp.widths(self.color_inputs(), COLOR_OUTPUTS)
     }
 
     /// Widths of the transmittance network: its inputs, its hidden layers, its output.
-    #[must_use]
     pub fn transmittance_widths(&self) -> Vec<usize> {
         self.transmittance_mlp.widths(self.transmittance_inputs(), TRANSMITTANCE_OUTPUTS)
     }

@@ -98,13 +98,11 @@ macro_rules! define {
             }
 
             /// The values of each tensor, row-major.
-            #[must_use]
             pub fn tensors(&self) -> GaussianTensors<&[f32]> {
                 GaussianTensors { $($name: bytemuck::cast_slice(&self.$name),)+ }
             }
 
             /// The values of each tensor for writing, row-major.
-            #[must_use]
             pub fn tensors_mut(&mut self) -> GaussianTensors<&mut [f32]> {
                 GaussianTensors { $($name: bytemuck::cast_slice_mut(&mut self.$name),)+ }
             }
@@ -189,13 +187,11 @@ gaussian_tensors!(define);
 
 impl Gaussians {
     /// N, the number of Gaussians.
-    #[must_use]
     pub fn len(&self) -> usize {
         self.position.len()
     }
 
     /// Whether there are none.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.position.is_empty()
     }

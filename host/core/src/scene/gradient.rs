@@ -29,13 +29,11 @@ impl Gradient {
     }
 
     /// The gradient of the tensor named `name`, such as `gaussians.position`, row-major.
-    #[must_use]
     pub fn tensor(&self, name: &str) -> Option<&[f32]> {
         self.tensors().into_iter().find(|(spec, _)| spec.name == name).map(|(_, values)| values)
     }
 
     /// The values, in the shape of the scene.
-    #[must_use]
     pub fn into_values(self) -> Scene {
         self.0
     }

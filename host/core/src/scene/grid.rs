@@ -81,7 +81,6 @@ pub struct GridLevelGeometry {
 
 impl GridLevelGeometry {
     /// The level in the form that kernels read.
-    #[must_use]
     pub fn for_kernels(&self) -> GridLevel {
         GridLevel::new(self.scale, self.resolution, self.first, self.count, self.hashed)
     }
@@ -91,7 +90,6 @@ impl GridConfig {
     /// The geometry of every level, coarsest first, computed in f64.
     ///
     /// Meaningful only for a valid configuration. An invalid one gives saturated numbers, and never panics.
-    #[must_use]
     pub fn levels_geometry(&self) -> Vec<GridLevelGeometry> {
         let largest = 1_u64 << self.log2_table.min(31);
         let mut first = 0_u32;
@@ -114,25 +112,21 @@ impl GridConfig {
     }
 
     /// The levels in the form that kernels read, coarsest first.
-    #[must_use]
     pub fn levels_for_kernels(&self) -> Vec<GridLevel> {
         self.levels_geometry().iter().map(GridLevelGeometry::for_kernels).collect()
     }
 
     /// Number of entries of all levels: the table has shape `[entries, features]`.
-    #[must_use]
     pub fn entries(&self) -> usize {
         self.levels_geometry().iter().map(|level| level.count as usize).sum()
     }
 
     /// Number of values that encode a position, `levels * features`.
-    #[must_use]
     pub fn width(&self) -> usize {
         (self.levels as usize).saturating_mul(self.features as usize)
     }
 
     /// The resolution of the finest level, in cells per axis.
-    #[must_use]
     pub fn finest_resolution(&self) -> u32 {
         self.levels_geometry().last().map_or(0, |level| level.resolution)
     }

@@ -69,7 +69,6 @@ pub struct Scene {
 
 impl Scene {
     /// The box to look at, which has nearly all of the opacity: see [`bounds`]. `config.aabb` is larger.
-    #[must_use]
     pub fn visible_box(&self) -> [[f64; 3]; 2] {
         let Gaussians { position, log_scale, opacity, .. } = &self.gaussians;
         bounds(position, log_scale, opacity)
@@ -111,7 +110,6 @@ impl Scene {
     }
 
     /// Every tensor in the scene's file with its values, row-major, in the order of [`SceneConfig::tensors`].
-    #[must_use]
     pub fn tensors(&self) -> Vec<(TensorSpec, &[f32])> {
         let specs = self.config.tensors(self.gaussians.len());
         let fields = [&self.color, &self.transmittance].into_iter().flat_map(Field::tensors);
@@ -120,7 +118,6 @@ impl Scene {
     }
 
     /// Like [`Self::tensors`], with `prefix` before each name: for a file that is not a scene.
-    #[must_use]
     pub fn tensors_with_prefix(&self, prefix: &str) -> Vec<(TensorSpec, &[f32])> {
         let mut tensors = self.tensors();
         tensors.iter_mut().for_each(|(spec, _)| spec.name.insert_str(0, prefix));
@@ -128,7 +125,6 @@ impl Scene {
     }
 
     /// Like [`Self::tensors`], but mutable.
-    #[must_use]
     pub fn tensors_mut(&mut self) -> Vec<(TensorSpec, &mut [f32])> {
         let specs = self.config.tensors(self.gaussians.len());
         let fields =
@@ -145,7 +141,6 @@ const SUPPORT: f64 = 3.0;
 
 /// The box of nearly all of the opacity: opacities weight the Gaussians, so a few far, large and faint ones do not matter.
 /// The box has a margin for a Gaussian of median size. Opacities are logits, scales are logarithms.
-#[must_use]
 pub fn bounds(position: &[[f32; 3]], log_scale: &[[f32; 3]], opacity: &[f32]) -> [[f64; 3]; 2] {
     let weight = opacity.iter().map(|logit| 1.0 / (1.0 + f64::from(-logit).exp()));
     let weight: Vec<_> = weight.collect();

@@ -48,13 +48,11 @@ impl Field {
 impl Network {
     /// A network of zeros. `widths` has the form of [`Self::widths`]:
     /// [`SceneConfig::color_widths`](super::SceneConfig::color_widths), for example.
-    #[must_use]
     pub fn zeros(widths: &[usize]) -> Self {
         Self { layers: widths.windows(2).map(|pair| Layer::zeros(pair[0], pair[1])).collect() }
     }
 
     /// The number of inputs of each layer, then the number of outputs of the last layer.
-    #[must_use]
     pub fn widths(&self) -> Vec<usize> {
         let inputs = self.layers.iter().map(|layer| layer.inputs);
         inputs.chain(self.layers.last().map(|layer| layer.outputs)).collect()
@@ -63,7 +61,6 @@ impl Network {
 
 impl Layer {
     /// A layer of zeros.
-    #[must_use]
     pub fn zeros(inputs: usize, outputs: usize) -> Self {
         Self { weight: vec![0.0; inputs * outputs], bias: vec![0.0; outputs], inputs, outputs }
     }

@@ -67,7 +67,6 @@ impl Default for Placement {
 impl Placement {
     /// The placement in which cameras surround the origin at a standard distance, with z up. A similarity of the cameras
     /// changes it alike. `points` give a distance to cameras that stand still.
-    #[must_use]
     pub fn of(cameras: &[Camera], points: &[[f64; 3]]) -> Self {
         let eye = |camera: &Camera| DVec3::from(camera.eye());
         // first the axes, so that nothing else depends on the world's axes
@@ -114,13 +113,11 @@ impl Placement {
     }
 
     /// Whether the scene's coordinates equal the world's.
-    #[must_use]
     pub fn is_identity(&self) -> bool {
         *self == Self::default()
     }
 
     /// The rotation from the scene's axes to the world's.
-    #[must_use]
     pub fn rotation(&self) -> DMat3 {
         let up = DVec3::from(self.up);
         let right = DVec3::from(self.right);
@@ -128,27 +125,23 @@ impl Placement {
     }
 
     /// A place of the world, in the scene.
-    #[must_use]
     pub fn own(&self, place: [f64; 3]) -> [f64; 3] {
         let offset = DVec3::from(place) - DVec3::from(self.offset);
         (self.rotation().transpose() * offset / self.scale).to_array()
     }
 
     /// A place of the scene, in the world.
-    #[must_use]
     pub fn world(&self, place: [f64; 3]) -> [f64; 3] {
         let offset = self.rotation() * DVec3::from(place) * self.scale;
         (DVec3::from(self.offset) + offset).to_array()
     }
 
     /// A direction of the world, in the scene.
-    #[must_use]
     pub fn own_direction(&self, direction: [f64; 3]) -> [f64; 3] {
         (self.rotation().transpose() * DVec3::from(direction)).to_array()
     }
 
     /// A direction of the scene, in the world.
-    #[must_use]
     pub fn world_direction(&self, direction: [f64; 3]) -> [f64; 3] {
         (self.rotation() * DVec3::from(direction)).to_array()
     }

@@ -128,7 +128,6 @@ pub struct TensorSpec {
 
 impl TensorSpec {
     /// Number of values in the tensor.
-    #[must_use]
     pub fn values(&self) -> usize {
         self.shape.iter().fold(1, |values, &size| values.saturating_mul(size))
     }
@@ -181,7 +180,6 @@ impl FieldSpec<'_> {
 impl SceneConfig {
     /// Every tensor of a scene file with this configuration and `gaussians` Gaussians, in the order of
     /// [`Scene::tensors`](super::Scene::tensors).
-    #[must_use]
     pub fn tensors(&self, gaussians: usize) -> Vec<TensorSpec> {
         let mut specs = self.gaussian_specs(gaussians).into_vec();
         specs.extend(self.fields().iter().flat_map(FieldSpec::tensors));

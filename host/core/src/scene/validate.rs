@@ -125,7 +125,6 @@ const USUAL: usize = 10;
 
 impl Scene {
     /// One sentence, with counts, for each suspicious but valid property; empty for an ordinary scene.
-    #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = self.gaussian_warnings();
         for (name, grid) in [

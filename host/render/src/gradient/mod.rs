@@ -154,7 +154,6 @@ impl SceneGradient {
     }
 
     /// `values` that a step may change: none after a queued batch has failed. See [`Renderer::queue_loss_gradient`](crate::Renderer::queue_loss_gradient).
-    #[must_use]
     pub fn unless_failed(&self, values: u32) -> Count {
         Count::on_device(&self.counts, ALL, values)
     }
@@ -168,7 +167,6 @@ impl SceneGradient {
     }
 
     /// Every tensor's gradient.
-    #[must_use]
     pub fn tensors(&self) -> &Tensors<TensorGradient> {
         &self.tensors
     }

@@ -127,7 +127,6 @@ impl TileLoss {
     }
 
     /// The sum of many tiles.
-    #[must_use]
     pub fn total(tiles: &[Self]) -> Self {
         tiles.iter().fold(Self::default(), |sum, tile| Self {
             absolute: sum.absolute + tile.absolute,
@@ -139,7 +138,6 @@ impl TileLoss {
 
     /// The loss `((1 - w) absolute + w dissimilarity) / 3n`, for n valid pixels: all of the batch's, and this sum its
     /// [`TileLoss::total`].  0 if no pixel is valid.
-    #[must_use]
     pub fn value(&self, ssim_weight: f32) -> f64 {
         let [absolute, ssim] = scales(self.valid, ssim_weight);
         absolute * self.absolute + ssim * self.dissimilarity

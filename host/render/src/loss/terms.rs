@@ -10,7 +10,6 @@ use muslin_device::{Buffer, Result};
 
 impl CompositedTerm {
     /// The distortion, which reduces haze. [`organza_shaders::distortion`] has the formula.
-    #[must_use]
     pub fn distortion(weight: f32) -> Self {
         Self { weight, values: powers, backward: distortion_backward }
     }

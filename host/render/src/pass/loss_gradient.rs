@@ -121,13 +121,11 @@ pub struct QueuedLoss {
 
 impl QueuedLoss {
     /// What [`QueuedLoss::finish`] takes the values of. The next batch overwrites some of them.
-    #[must_use]
     pub fn buffers(&self) -> &[Buffer<u32>] {
         &self.buffers
     }
 
     /// The loss, from the values of [`QueuedLoss::buffers`]. `None` if this batch or one before it has failed.
-    #[must_use]
     pub fn finish(self, renderer: &Renderer, values: &[Vec<u32>]) -> Option<BatchLoss> {
         let [rows, counts] = values else { unreachable!("as many as buffers") };
         let needed = Capacity::needed(counts)?;

@@ -45,7 +45,6 @@ pub struct Renderer {
 
 impl Renderer {
     /// A renderer on `device`.
-    #[must_use]
     pub fn new(device: Device) -> Self {
         let part_bytes = device.memory_share(PART_SHARES, PART_BYTES);
         Self {
@@ -67,7 +66,6 @@ impl Renderer {
     }
 
     /// The device it renders on.
-    #[must_use]
     pub fn device(&self) -> &Device {
         &self.device
     }

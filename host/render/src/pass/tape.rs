@@ -146,7 +146,6 @@ impl Renderer {
 
 impl Tape {
     /// Y `[K, 3, S, S]`
-    #[must_use]
     pub fn tiles(&self) -> &RenderedTiles {
         &self.tiles
     }

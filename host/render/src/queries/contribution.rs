@@ -43,20 +43,17 @@ struct GaussianSums {
 
 impl Contributions {
     /// No contribution yet, for a number of Gaussians.
-    #[must_use]
     pub fn new(gaussians: usize) -> Self {
         Self { sums: vec![GaussianSums::default(); gaussians] }
     }
 
     /// The contribution of a Gaussian, in pixels: 2.5 is as much as all of two pixels and half of a third.
-    #[must_use]
     pub fn pixels(&self, gaussian: usize) -> f64 {
         self.sums[gaussian].pixels
     }
 
     /// The number of views that see a Gaussian. A view counts in full if none shows more of it: the number is
     /// `(sum of c)^2 / (sum of c^2)` for the contributions c to each view.
-    #[must_use]
     pub fn views(&self, gaussian: usize) -> f64 {
         let GaussianSums { pixels, squares, .. } = self.sums[gaussian];
         if squares > 0.0 { pixels * pixels / squares } else { 0.0 }
@@ -64,7 +61,6 @@ impl Contributions {
 
     /// The share of a Gaussian's contribution that is in front of surfaces, 0 to 1: more than 12% nearer than the median
     /// depth of the pixel's weights. Pixels with S < 0.98 show the background and do not count. 0 if it was not measured.
-    #[must_use]
     pub fn in_front(&self, gaussian: usize) -> f64 {
         let GaussianSums { measured, in_front, .. } = self.sums[gaussian];
         if measured > 0.0 { in_front / measured } else { 0.0 }

@@ -81,7 +81,6 @@ pub struct EyeOptions<'a> {
 
 impl EyeCache {
     /// The work of the fields for the last image.
-    #[must_use]
     pub fn work(&self) -> FieldWork {
         self.work
     }

@@ -49,7 +49,6 @@ impl Leakage {
     }
 
     /// The mean over the pixels of all parts.
-    #[must_use]
     pub fn mean(parts: &[Self]) -> Self {
         let pixels = parts.iter().map(|part| part.pixels).sum::<u64>();
         let mean = |value: fn(&Self) -> f64| {

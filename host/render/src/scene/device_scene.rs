@@ -33,50 +33,42 @@ pub struct DeviceScene {
 
 impl DeviceScene {
     /// The device that the scene is on.
-    #[must_use]
     pub fn device(&self) -> &Device {
         &self.device
     }
 
     /// The scene's configuration.
-    #[must_use]
     pub fn config(&self) -> &SceneConfig {
         &self.config
     }
 
     /// Each tensor's values. Writing to them changes the scene. A grid of 16-bit floats has no values here.
-    #[must_use]
     pub fn tensors(&self) -> &Tensors<Buffer<f32>> {
         &self.tensors
     }
 
     /// How full the cells of the occupancy grid are, x fastest, with a border of empty cells; one value without a grid.
-    #[must_use]
     pub fn occupancy(&self) -> &Buffer<f32> {
         &self.occupancy.table
     }
 
     /// Number of Gaussians.
-    #[must_use]
     pub fn len(&self) -> usize {
         self.gaussians as usize
     }
 
     /// Whether there are no Gaussians; an empty scene is not uploaded.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.gaussians == 0
     }
 
     /// Half the longest side of the scene's box, in world units.
-    #[must_use]
     pub fn extent(&self) -> f64 {
         let [low, high] = self.config.aabb;
         (0..3).map(|axis| (high[axis] - low[axis]) / 2.0).fold(0.0, f64::max)
     }
 
     /// Bytes that the scene takes on the device.
-    #[must_use]
     pub fn bytes(&self) -> u64 {
         let tensors: u64 = self.tensors.iter().map(|(_, buffer)| buffer.bytes()).sum();
         let fields = [&self.color, &self.transmittance].map(DeviceField::bytes_beside_tensors);
@@ -84,7 +76,6 @@ impl DeviceScene {
     }
 
     /// Bytes that a scene takes on a device after [`Renderer::upload`](crate::Renderer::upload).
-    #[must_use]
     pub fn bytes_of(scene: &Scene) -> u64 {
         let tensors: usize = pack(scene).iter().map(|(_, values)| size_of_val(&**values)).sum();
         let grids = [&scene.config.color_grid, &scene.config.transmittance_grid];

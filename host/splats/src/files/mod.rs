@@ -140,7 +140,6 @@ impl Format {
     }
 
     /// Whether a file says where its Gaussians lie.
-    #[must_use]
     pub fn says_placement(self) -> bool {
         !matches!(self, Self::Spz2 | Self::Splat)
     }

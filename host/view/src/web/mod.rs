@@ -140,7 +140,6 @@ impl WebPage {
     }
 
     /// The whole page as one file.
-    #[must_use]
     pub fn single_file(&self) -> String {
         let scripts =
             format!("<script>{}</script>\n<script>{}</script>", self.scene_script(), script());
@@ -149,7 +148,6 @@ impl WebPage {
     }
 
     /// The files of the page's folder, by name.
-    #[must_use]
     pub fn files(&self) -> [(&'static str, Vec<u8>); 4] {
         let [index, page, scene, poster] = Self::FILES;
         // nothing else can say so
@@ -227,7 +225,6 @@ pub struct Card {
 const GALLERY_STYLE: &str = include_str!("page/gallery.css");
 
 /// The document of a gallery.
-#[must_use]
 pub fn gallery(title: &str, cards: &[Card]) -> String {
     let body = html! {
         h1 { (title) }
@@ -244,7 +241,6 @@ pub fn gallery(title: &str, cards: &[Card]) -> String {
 }
 
 /// The element that shows a page within another one. `path` is the page's, relative to that other one.
-#[must_use]
 pub fn embedding(title: &str, path: &str) -> String {
     let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
     let escaped = |byte: u8| match is_plain(byte) {

@@ -155,8 +155,6 @@ fn mask_of(
         return Some(named(folder, name));
     }
     let beside = sibling(photograph, images, masks)?;
-    let mut appended = beside.clone().into_os_string();
-    appended.push(".png");
-    let candidates = [PathBuf::from(appended), beside.with_extension("png"), beside];
+    let candidates = [beside.with_added_extension("png"), beside.with_extension("png"), beside];
     candidates.into_iter().map(|path| folder.join(path)).find(|path| is_there(path))
 }

@@ -11,7 +11,7 @@ use serde_json::json;
 use super::console::{Console, print, print_json};
 use super::inputs::SceneSource;
 use super::output::check_file;
-use super::summary::{Table, grouped};
+use super::summary::{Table, grouped, score};
 use super::{refuse, text_of};
 
 const EXAMPLES: &str = "\
@@ -116,8 +116,8 @@ fn as_text(runs: &[(String, Run)]) -> String {
         let summary = run.summary();
         results.row([
             name.clone(),
-            number(summary.psnr, 2),
-            number(summary.ssim, 4),
+            score(summary.psnr, 2),
+            score(summary.ssim, 4),
             grouped(summary.step),
             format!("{:.1}", summary.seconds),
             summary.gaussians.map_or_else(|| "-".to_owned(), grouped),
@@ -135,9 +135,4 @@ fn as_text(runs: &[(String, Run)]) -> String {
         }
     }
     text
-}
-
-/// A number with some digits after the point; a dash for `None`.
-fn number(value: Option<f64>, digits: usize) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
 }

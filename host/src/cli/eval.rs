@@ -13,7 +13,7 @@ use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, DataSet, SceneSource, Split};
 use super::output;
 use super::picture::warn_not_finite;
-use super::summary::{Table, count};
+use super::summary::{Table, count, score};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -147,13 +147,9 @@ fn table(evaluation: &Evaluation) -> String {
     let titles =
         titles.into_iter().zip(is_shown).filter_map(|(title, is_shown)| is_shown.then_some(title));
     let mut table = Table::new(1, titles);
-    let cell = |value: Option<f64>, digits| match value {
-        Some(value) => format!("{value:.digits$}"),
-        None => "-".to_owned(),
-    };
-    let mut row = |name: &str, score: &Score| {
-        let [psnr, fitted] = [score.psnr, score.psnr_fitted].map(|value| cell(value, 2));
-        let ssim = cell(score.ssim, 4);
+    let mut row = |name: &str, view: &Score| {
+        let [psnr, fitted] = [view.psnr, view.psnr_fitted].map(|value| score(value, 2));
+        let ssim = score(view.ssim, 4);
         let cells = [name.to_owned(), psnr, ssim, fitted].into_iter().zip(is_shown);
         table.row(cells.filter_map(|(cell, is_shown)| is_shown.then_some(cell)));
     };

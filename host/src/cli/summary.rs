@@ -72,6 +72,11 @@ pub fn count(number: u64, thing: &str) -> String {
     format!("{} {thing}{plural}", grouped(number))
 }
 
+/// A score with some digits after the point; a dash for `None`.
+pub fn score(value: Option<f64>, digits: usize) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+}
+
 /// A number with five significant digits.
 pub fn number(value: f64) -> String {
     let size = value.abs();

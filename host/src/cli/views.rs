@@ -153,11 +153,7 @@ pub fn names(cameras: &[Camera]) -> Vec<String> {
 pub fn photographs(camera: &Camera, cameras: &Path) -> Vec<PathBuf> {
     let Some(path) = &camera.file_path else { return Vec::new() };
     let path = cameras.parent().unwrap_or(Path::new("")).join(path);
-    let with_extension = path.with_file_name({
-        let mut name = path.file_name().unwrap_or_default().to_owned();
-        name.push(".png");
-        name
-    });
+    let with_extension = path.with_added_extension("png");
     vec![path, with_extension]
 }
 

@@ -182,11 +182,7 @@ impl Film<'_> {
     ) -> Result<Made> {
         let folder = match kind {
             FilmKind::Frames => args.output.clone(),
-            FilmKind::Mp4 | FilmKind::Png => {
-                let mut name = args.output.clone().into_os_string();
-                name.push(".frames");
-                name.into()
-            }
+            FilmKind::Mp4 | FilmKind::Png => args.output.with_added_extension("frames"),
         };
         let mut folder = Folder::make(&folder)?;
         folder.lock(false)?;

@@ -131,7 +131,11 @@ fn loops_end_at_their_conditions() {
             let last = blocks().find(|block| block.label_id() == label);
             let end = &last.expect("a loop has a last block").instructions[0];
             let name = &kernel.entry().name;
-            assert_eq!(end.class.opcode, Op::Branch, "{name}: docs/kernels.md#what-the-compilers-cant-do");
+            assert_eq!(
+                end.class.opcode,
+                Op::Branch,
+                "{name}: docs/kernels.md#what-the-compilers-cant-do"
+            );
         }
     }
 }

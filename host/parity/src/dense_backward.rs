@@ -147,26 +147,19 @@ impl DenseWeightBackward {
         Self { layer, first, before, inputs }
     }
 
-    /// Every slice's samples.
-    fn slices(&self) -> Vec<Range<u32>> {
-        let of_camera = |range: &[u32]| {
-            let [begin, end] = [range[0], range[1]];
-            (begin..end)
-                .step_by(self.params.slice as usize)
-                .map(move |first| first..end.min(first + self.params.slice))
-        };
-        self.first.windows(2).flat_map(of_camera).collect()
-    }
-
     fn chunk(&self) -> Range<u32> {
         let first = self.params.first_sample;
         first..first + self.layer.params.samples
     }
 
-    /// The slices that end in the chunk, or the slice that goes on behind it.
-    fn in_chunk(&self, are_whole: bool) -> impl Iterator<Item = Range<u32>> {
+    /// The samples of the slices that end in the chunk, or of the slice that goes on behind it.
+    fn slices(&self, are_whole: bool) -> impl Iterator<Item = Range<u32>> {
+        let cameras = self.first.windows(2).flat_map(move |camera| {
+            let starts = (camera[0]..camera[1]).step_by(self.params.slice as usize);
+            starts.map(move |start| start..camera[1].min(start + self.params.slice))
+        });
         let chunk = self.chunk();
-        self.slices().into_iter().filter(move |slice| {
+        cameras.filter(move |slice| {
             let has_samples = slice.end > chunk.start && slice.start < chunk.end;
             has_samples && (slice.end <= chunk.end) == are_whole
         })
@@ -258,7 +251,7 @@ impl Parity for DenseWeightBackward {
             let before = if before.abs() < f64::from(TINY) { 0.0 } else { before };
             // f64 rounds them, too
             let before = Rounded::within(before, 1e-15 * before.abs());
-            return Some(self.in_chunk(true).fold(before, |sum, slice| {
+            return Some(self.slices(true).fold(before, |sum, slice| {
                 let slice = self.sum(&slice, index);
                 let error = sum.error + slice.error + 1e-14 * slice.terms;
                 Rounded::within(sum.value + slice.value, error)
@@ -267,8 +260,7 @@ impl Parity for DenseWeightBackward {
         let value = index % values;
         let is_own = index / values != self.params.turn as usize && self.place(value).is_some();
         // the slice that goes on behind the chunk
-        let mut continues = self.in_chunk(false);
-        Some(match continues.next().filter(|_| is_own) {
+        Some(match self.slices(false).next().filter(|_| is_own) {
             Some(slice) => self.sum(&slice, value),
             None => Rounded::exact(f64::from(*self.carry.get(index)?)),
         })

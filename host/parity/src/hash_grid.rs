@@ -133,22 +133,21 @@ impl HashGrid {
 
     /// A grid of each kind.
     fn grids() -> Vec<(String, Self)> {
-        let of = |name: &str, change: fn(&mut GridConfig)| {
-            let mut grid = grid();
-            change(&mut grid);
+        let grids = [
+            ("one feature", GridConfig { features: 1, ..grid() }),
+            ("four features", GridConfig { features: 4, ..grid() }),
+            ("eight features", GridConfig { features: 8, ..grid() }),
+            ("two entries", GridConfig { log2_table: 1, ..grid() }),
+            ("half a cell", GridConfig { base_resolution: 0.5, growth: 1.0, ..grid() }),
+            ("one cell", GridConfig { base_resolution: 1.0, growth: 1.5, ..grid() }),
+            ("all dense", GridConfig { levels: 2, log2_table: 14, ..grid() }),
+            ("finest", GridConfig { levels: 1, base_resolution: 1_048_000.0, ..grid() }),
+            ("32 levels", GridConfig { levels: 32, growth: 1.3, ..grid() }),
+        ];
+        let set = |(name, grid): (&str, _)| {
             (name.to_owned(), Self::filled(grid, ITEMS, [Fill::Random; 2], 11))
         };
-        vec![
-            of("one feature", |grid| grid.features = 1),
-            of("four features", |grid| grid.features = 4),
-            of("eight features", |grid| grid.features = 8),
-            of("two entries", |grid| grid.log2_table = 1),
-            of("half a cell", |grid| (grid.base_resolution, grid.growth) = (0.5, 1.0)),
-            of("one cell", |grid| (grid.base_resolution, grid.growth) = (1.0, 1.5)),
-            of("all dense", |grid| (grid.levels, grid.log2_table) = (2, 14)),
-            of("finest", |grid| (grid.levels, grid.base_resolution) = (1, 1_048_000.0)),
-            of("32 levels", |grid| (grid.levels, grid.growth) = (32, 1.3)),
-        ]
+        grids.map(set).into()
     }
 
     /// Points on the planes between the cells, and beside them.

@@ -35,11 +35,11 @@ pub struct Terms {
 }
 
 impl Terms {
-    /// Of differences in -1 to 1; huge ones are 2.
-    pub fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
+    /// Of differences in -1 to 1.
+    pub fn new(side: u32, fill: Fill, huge: f32, random: &mut Random) -> Self {
         let valid = mask(side, random);
         let mut masked = |w: f32| {
-            let vectors = fill.vectors(random, valid.len(), [-1.0, 1.0], 2.0).into_iter();
+            let vectors = fill.vectors(random, valid.len(), [-1.0, 1.0], huge).into_iter();
             let vectors = vectors.zip(&valid);
             vectors.map(|(v, &valid)| if valid { v.with_w(w) } else { Vec4::ZERO }).collect()
         };
@@ -95,13 +95,9 @@ case!(pub LossRows(LossRowsInputs));
 impl LossRows {
     fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
         let pixels = (TILES * side * side) as usize;
-        let numbers = fill.vectors(random, pixels, [-1.0, 1.0], 1e18).into_iter();
-        let pixels_and_mask = numbers.zip(mask(side, random));
-        let difference =
-            pixels_and_mask.map(|(d, valid)| if valid { d.with_w(1.0) } else { Vec4::ZERO });
         Self(LossRowsInputs {
             params: LossParams { side, tiles: TILES },
-            difference: difference.collect(),
+            difference: Terms::new(side, fill, 1e18, random).difference,
             dissimilarity: fill.values(random, pixels, [0.0, 6.0], 6.0),
             row_sum: unwritten((TILES * side) as usize),
         })
@@ -163,7 +159,7 @@ case!(pub LossGradient(LossGradientInputs));
 impl Parity for LossGradient {
     fn sets() -> Vec<(String, Self)> {
         sets(|side, fill, random| {
-            let Terms { difference, sum } = Terms::new(side, fill, random);
+            let Terms { difference, sum } = Terms::new(side, fill, 2.0, random);
             let vectors = (SLOPES * TILES * side * side) as usize;
             Self(LossGradientInputs {
                 params: LossGradientParams { side, absolute_scale: 2.7e-3, ssim_scale: 6.5e-4 },

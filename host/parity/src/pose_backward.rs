@@ -8,7 +8,6 @@ use organza_shaders::project_backward::ProjectBackwardParams;
 use super::binned::{read_sums, write_sums};
 use super::exact::numeric::dot;
 use super::exact::project::{Gaussian, View};
-use super::project::Fate;
 use super::project_backward::ProjectBackward;
 
 /// Values of a pose.
@@ -80,7 +79,7 @@ impl PoseBackward {
 
 /// The derivatives of a pair's part of the loss; unknown where rounding decides its projection.
 fn derivatives(set: &ProjectBackward, [camera, gaussian, pair]: Pair) -> [Rounded; POSE] {
-    if !matches!(set.forward.fate(camera, gaussian), Some(Fate::Projected(_))) {
+    if !matches!(set.forward.fate(camera, gaussian), Some(Ok(_))) {
         return [Rounded::UNKNOWN; POSE];
     }
     let view = View::from_camera(&set.forward.cameras[camera]);

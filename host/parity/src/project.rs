@@ -28,6 +28,9 @@ pub fn cameras(random: &mut Random) -> Vec<Camera> {
     (0..3).map(|index| camera(index, random)).collect()
 }
 
+/// The projection of a Gaussian in a camera, or the negative radius that says why there is none.
+type Fate = std::result::Result<Projected<Rounded>, f32>;
+
 case!(pub Project(ProjectInputs) {
     /// The cameras.
     pub cameras: Vec<Camera>,
@@ -151,19 +154,19 @@ impl Project {
         let view = View::from_camera(&self.cameras[camera]);
         let gaussian = self.gaussian(gaussian);
         let Some(found) = project(&view, self.params.blur.into(), &gaussian) else {
-            return Some(Fate::Behind);
+            return Some(Err(BEHIND));
         };
         let [xx, xy, yy] = found.covariance;
         let numbers = [found.mean[0], found.mean[1], xx, xy, yy];
         let is_f32 = |x: &Rounded| x.value.abs() <= f64::from(f32::MAX);
         if !numbers.iter().all(is_f32) || found.determinant.value <= 0.0 {
-            return Some(Fate::Degenerate);
+            return Some(Err(DEGENERATE));
         }
         if self.window[..WINDOW] != EVERYWHERE && self.ends_before_the_window(&gaussian, &found)? {
-            return Some(Fate::Elsewhere);
+            return Some(Err(ELSEWHERE));
         }
         // the determinant has squares of these
-        (xx.value.max(yy.value) < 1e15).then_some(Fate::Projected(found))
+        (xx.value.max(yy.value) < 1e15).then_some(Ok(found))
     }
 
     /// Whether the longest axis does not reach from a Gaussian's center to the window; `None` if rounding decides.
@@ -194,17 +197,10 @@ impl Parity for Project {
         sets
     }
 
+    /// A negative radius says why there is none: it is a class, which must be equal.
     fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
         let mut radii: Vec<_> = outputs[0].values.iter_mut().skip(2).step_by(8).collect();
-        let class = |radius: &&mut f64| match **radius as f32 {
-            BEHIND => 1,
-            DEGENERATE => 2,
-            ELSEWHERE => 3,
-            radius if radius >= 0.0 => 0,
-            _ => 4,
-        };
-        let classes = Output::exact("class", radii.iter().map(class));
-        // a negative radius is a class
+        let classes = Output::exact("class", radii.iter().map(|radius| -radius.min(0.0)));
         radii.iter_mut().for_each(|radius| **radius = radius.max(0.0));
         outputs.push(classes);
         outputs
@@ -217,37 +213,21 @@ impl Parity for Project {
         if output == "degenerate" {
             let told: Option<Vec<_>> = slots.collect();
             let count = |fates: Vec<_>| {
-                fates.iter().filter(|fate| matches!(fate, Fate::Degenerate)).count() as u32
+                fates.iter().filter(|fate| matches!(fate, Err(DEGENERATE))).count() as u32
             };
             return listed([told.map_or(Rounded::UNKNOWN, |fates| count(fates).into())]);
         }
         let of = |fate: Option<Fate>| match (output, fate) {
-            ("class", Some(Fate::Projected(_))) => vec![0.into()],
-            ("class", Some(Fate::Behind)) => vec![1.into()],
-            ("class", Some(Fate::Degenerate)) => vec![2.into()],
-            ("class", Some(Fate::Elsewhere)) => vec![3.into()],
+            ("class", Some(fate)) => vec![(-fate.err().unwrap_or_default()).into()],
             ("class", None) => vec![Rounded::UNKNOWN],
-            (_, Some(Fate::Projected(found))) => {
+            (_, Some(Ok(found))) => {
                 let ([x, y], [xx, xy, yy]) = (found.mean, found.conic());
                 let [width, height] = found.extent();
                 vec![x, y, found.radius(), width, xx, xy, yy, height]
             }
-            (_, Some(_)) => vec![Rounded::exact(0.0); 8],
+            (_, Some(Err(_))) => vec![Rounded::exact(0.0); 8],
             (_, None) => vec![Rounded::UNKNOWN; 8],
         };
         listed(slots.flat_map(of))
     }
-}
-
-/// The projection of a Gaussian in a camera.
-#[expect(clippy::large_enum_variant, reason = "there are few at a time")]
-pub(super) enum Fate {
-    /// It lies behind the near plane.
-    Behind,
-    /// It has no place, no finite covariance or no inverse of it.
-    Degenerate,
-    /// It ends before the window.
-    Elsewhere,
-    /// It lies there.
-    Projected(Projected<Rounded>),
 }

@@ -6,7 +6,7 @@ use organza_shaders::project::project_gaussian;
 use organza_shaders::project_backward::{ALL_BITS, ProjectBackwardInputs, ProjectBackwardParams};
 
 use super::exact::project::{Gaussian, View, project};
-use super::project::{Fate, Project};
+use super::project::Project;
 
 case!(pub ProjectBackward(ProjectBackwardInputs) {
     /// The case of `project`.
@@ -102,7 +102,7 @@ impl ProjectBackward {
         });
         pairs
             .filter_map(|fate| match fate {
-                Some(Fate::Projected(found)) => Some(found.mean.map(Number::value)),
+                Some(Ok(found)) => Some(found.mean.map(Number::value)),
                 _ => None,
             })
             .collect()
@@ -127,9 +127,8 @@ impl ProjectBackward {
     fn derivatives(&self, gaussian: usize) -> [Rounded; 11] {
         let pairs: Vec<_> = self.pairs(gaussian).collect();
         let opacity = Number::sum(pairs.iter().map(|(_, pair)| Rounded::from(pair[0].z)));
-        let is_told = |&(camera, _): &(usize, _)| {
-            matches!(self.forward.fate(camera, gaussian), Some(Fate::Projected(_)))
-        };
+        let is_told =
+            |&(camera, _): &(usize, _)| matches!(self.forward.fate(camera, gaussian), Some(Ok(_)));
         if !pairs.iter().all(is_told) {
             let mut unknown = [Rounded::UNKNOWN; 11];
             unknown[10] = opacity;

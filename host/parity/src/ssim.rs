@@ -35,7 +35,7 @@ case!(pub SsimRows(SsimRowsInputs));
 impl Parity for SsimRows {
     fn sets() -> Vec<(String, Self)> {
         sets(|side, fill, random| {
-            let Terms { difference, sum } = Terms::new(side, fill, random);
+            let Terms { difference, sum } = Terms::new(side, fill, 2.0, random);
             Self(SsimRowsInputs {
                 params: SsimParams { side },
                 window: window(),
@@ -70,7 +70,7 @@ impl SsimColumns {
 impl Parity for SsimColumns {
     fn sets() -> Vec<(String, Self)> {
         sets(|side, fill, random| {
-            let Terms { difference, sum } = Terms::new(side, fill, random);
+            let Terms { difference, sum } = Terms::new(side, fill, 2.0, random);
             let vector = |index: usize| {
                 let [pixel, part] = [index / MOMENTS as usize, index % MOMENTS as usize];
                 let of = |channel| {

@@ -26,9 +26,6 @@ pub struct Case {
 
 impl Case {
     /// Loads the case in a folder.
-    ///
-    /// # Panics
-    /// If a file cannot be read.
     pub fn load(folder: &Path) -> Self {
         let file = |name: &str| folder.join(name);
         Self {
@@ -41,9 +38,6 @@ impl Case {
     }
 
     /// A tensor of the reference.
-    ///
-    /// # Panics
-    /// If there is no tensor of that name.
     pub fn expected(&self, name: &str) -> &[f32] {
         &self.expected.get(name).unwrap_or_else(|| panic!("{}: no tensor `{name}`", self.name)).data
     }
@@ -55,9 +49,6 @@ pub fn folder() -> PathBuf {
 }
 
 /// Every case, by name.
-///
-/// # Panics
-/// If a folder cannot be read, or holds no case.
 pub fn all() -> Vec<Case> {
     let mut folders = subfolders(&folder());
     assert!(!folders.is_empty(), "no cases in {}", folder().display());
@@ -68,9 +59,6 @@ pub fn all() -> Vec<Case> {
 }
 
 /// Checks every case on every device, with its scene uploaded. The device's name is for messages.
-///
-/// # Panics
-/// If [`all`] or [`devices::all`] panics, or if a scene does not fit.
 pub fn on_every_device(check: impl Fn(&str, &Renderer, &Case, &DeviceScene)) {
     for (backend, device) in devices::all() {
         let renderer = Renderer::new(device);

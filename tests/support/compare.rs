@@ -13,10 +13,7 @@ pub struct Difference {
     pub largest: f64,
 }
 
-/// Compares two tensors.
-///
-/// # Panics
-/// If their lengths differ, or one holds a NaN.
+/// Compares two tensors of one length, without NaN.
 pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
     assert_eq!(actual.len(), expected.len(), "lengths differ");
     let norm = expected.iter().map(|&x| f64::from(x).powi(2)).sum::<f64>().sqrt().max(1e-30);
@@ -37,9 +34,6 @@ pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
 }
 
 /// Asserts that two tensors nowhere differ by more than `tolerance`.
-///
-/// # Panics
-/// If they differ by more, if their lengths differ, or if one holds a NaN.
 pub fn assert_close(what: &str, actual: &[f32], expected: &[f32], tolerance: f64) {
     let found = difference(actual, expected);
     let at = found.index;
@@ -55,9 +49,6 @@ pub fn assert_close(what: &str, actual: &[f32], expected: &[f32], tolerance: f64
 
 /// Asserts that two tensors differ by at most `tolerance` in relative norm. Also, no value may differ by more than
 /// ten times the tolerance, relative to the tensor's root mean square.
-///
-/// # Panics
-/// If they differ by more, if their lengths differ, or if one holds a NaN.
 pub fn assert_close_relative(what: &str, actual: &[f32], expected: &[f32], tolerance: f64) {
     let found = difference(actual, expected);
     let at = found.index;

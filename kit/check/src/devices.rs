@@ -1,4 +1,4 @@
-//! The devices that tests run on, and a note for tests that did not run.
+//! The devices that tests run on, and a note for tests that did not run. All of these panic if a device cannot be opened.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -11,9 +11,6 @@ const GPUS: [(&str, SpirvPath); 2] =
     [("gpu passthrough", SpirvPath::Passthrough), ("gpu naga", SpirvPath::Naga)];
 
 /// All devices to run a kernel on: `cpu`, and the ones of [`gpus`].
-///
-/// # Panics
-/// If [`gpus`] panics.
 #[must_use]
 pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     std::iter::once(("cpu", cpu(None))).chain(gpus(modules)).collect()
@@ -48,9 +45,6 @@ pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
 }
 
 /// The GPU with plain kernels and with its variants, each with SPIR-V as it is and through naga. Empty without a GPU.
-///
-/// # Panics
-/// If [`gpus`] panics.
 #[must_use]
 pub fn variants(modules: &'static Modules) -> Vec<(&'static str, [Device; 2])> {
     let open = |path, variants| {
@@ -68,27 +62,18 @@ fn path_of(name: &str) -> Option<SpirvPath> {
 }
 
 /// The CPU with a number of threads.
-///
-/// # Panics
-/// If threads cannot be started.
 #[must_use]
 pub fn cpu(threads: Option<usize>) -> Device {
     Device::open(&DeviceOptions::cpu(threads), Modules::none()).expect("the CPU")
 }
 
 /// The CPU with all checks for mistakes in kernels: [`DeviceOptions::checked`].
-///
-/// # Panics
-/// If threads cannot be started.
 #[must_use]
 pub fn checked() -> Device {
     Device::open(&DeviceOptions::checked(), Modules::none()).expect("the CPU")
 }
 
 /// The CPU with all checks, also those that take several times as long: [`DeviceOptions::thorough`]. For CI.
-///
-/// # Panics
-/// If threads cannot be started.
 #[must_use]
 pub fn thorough(seed: u64) -> Device {
     Device::open(&DeviceOptions::thorough(seed), Modules::none()).expect("the CPU")
@@ -96,18 +81,12 @@ pub fn thorough(seed: u64) -> Device {
 
 /// Like [`checked`], but with the [variants](muslin_kernel::KernelInfo::variant) of kernels: so their copies to
 /// workgroup memory run without a GPU.
-///
-/// # Panics
-/// If threads cannot be started.
 #[must_use]
 pub fn checked_variants() -> Device {
     Device::open(&DeviceOptions::checked().variants(true), Modules::none()).expect("the CPU")
 }
 
 /// The CPU with an instruction set.
-///
-/// # Panics
-/// If this CPU does not have it.
 #[must_use]
 pub fn with(instruction_set: InstructionSet) -> Device {
     let options = DeviceOptions::cpu(None).instruction_set(instruction_set);
@@ -115,9 +94,6 @@ pub fn with(instruction_set: InstructionSet) -> Device {
 }
 
 /// The CPU where denormals are zeros, as on some GPUs: [`DeviceOptions::flush_denormals`].
-///
-/// # Panics
-/// If threads cannot be started.
 #[must_use]
 pub fn flushing() -> Device {
     let options = DeviceOptions::cpu(None).flush_denormals(true);
@@ -136,9 +112,6 @@ static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
 /// Reports, once, that something is not tested, and why.
 ///
 /// The message bypasses the test harness, which hides the output of tests that pass.
-///
-/// # Panics
-/// If standard error is closed.
 pub fn skip(what: &str, reason: &str) {
     let line = format!("skipped {what}: {reason}");
     let mut said = SAID.lock().expect("no test panics there");

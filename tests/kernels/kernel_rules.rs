@@ -151,15 +151,6 @@ fn only_kernels_that_wait_have_barriers() {
     }
 }
 
-#[test]
-fn naga_takes_every_entry_point() {
-    for (kernel, point) in entry_points() {
-        let words = MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words();
-        let module = naga_module(&words).unwrap_or_else(|error| panic!("{}: {error}", point.name));
-        assert_eq!(module.entry_points.len(), 1, "{}", point.name);
-    }
-}
-
 /// The trap: NaN and infinity as literals.
 #[test]
 fn naga_refuses_literals_that_are_no_numbers() {

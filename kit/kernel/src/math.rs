@@ -662,36 +662,6 @@ mod tests {
         assert!(!is_finite(f32::INFINITY) && !is_finite(f32::NEG_INFINITY) && !is_finite(f32::NAN));
     }
 
-    const EDGES: [u32; 12] = [
-        0,
-        1,
-        2,
-        0xffff,
-        0x1_0000,
-        0x1_0001,
-        0x7fff_ffff,
-        0x8000_0000,
-        0x8000_0001,
-        0xfffe_0000,
-        0xfffe_0001,
-        u32::MAX,
-    ];
-
-    #[test]
-    fn integers_match_core() {
-        for a in EDGES {
-            for b in EDGES {
-                assert_eq!(saturating_add(a, b), a.saturating_add(b));
-                assert_eq!(saturating_sub(a, b), a.saturating_sub(b));
-                let [x, y] = [a as i32, b as i32];
-                assert_eq!(saturating_add(x, y), x.saturating_add(y));
-                assert_eq!(saturating_sub(x, y), x.saturating_sub(y));
-                let product = u64::from(a) * u64::from(b);
-                assert_eq!(multiply_high(a, b), (product >> 32) as u32);
-            }
-        }
-    }
-
     #[test]
     fn roots_are_whole() {
         for root in (0..=65_535).step_by(17).chain([65_534, 65_535]) {

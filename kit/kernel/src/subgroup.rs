@@ -148,64 +148,6 @@ impl Invocation {
         lane
     }
 
-    /// The sum of the subgroup's values: of `u32` modulo 2^32, of `f32` in an order that the device chooses.
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    pub fn subgroup_sum<T: SubgroupNumber>(&self, value: T) -> T {
-        value.subgroup_sum()
-    }
-
-    /// The smallest of the subgroup's values. None of them is NaN.
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    pub fn subgroup_min<T: SubgroupNumber>(&self, value: T) -> T {
-        value.subgroup_min()
-    }
-
-    /// The largest of the subgroup's values. None of them is NaN.
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    pub fn subgroup_max<T: SubgroupNumber>(&self, value: T) -> T {
-        value.subgroup_max()
-    }
-
-    /// The sum of the values of this lane and of those before it: an inclusive scan. Modulo 2^32 of `u32`, of `f32` in an order that the
-    /// device chooses.
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    pub fn subgroup_inclusive_sum<T: SubgroupNumber>(&self, value: T) -> T {
-        value.subgroup_inclusive_sum()
-    }
-
-    /// The sum of the values of the lanes before this one, 0 in the first: an exclusive scan. Modulo 2^32 of `u32`, of `f32` in an order
-    /// that the device chooses.
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    pub fn subgroup_exclusive_sum<T: SubgroupNumber>(&self, value: T) -> T {
-        value.subgroup_exclusive_sum()
-    }
-
-    /// The value that `lane` gives. Each lane can ask for another one, and that is in the subgroup.
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    pub fn subgroup_shuffle<T: SubgroupNumber>(&self, value: T, lane: u32) -> T {
-        value.subgroup_shuffle(lane)
-    }
-
-    /// The value that the lane `subgroup_lane() ^ mask` gives. It is in the subgroup.
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    pub fn subgroup_shuffle_xor<T: SubgroupNumber>(&self, value: T, mask: u32) -> T {
-        value.subgroup_shuffle_xor(mask)
-    }
-
-    /// The value of the subgroup's first lane.
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    pub fn subgroup_broadcast_first<T: SubgroupNumber>(&self, value: T) -> T {
-        value.subgroup_broadcast_first()
-    }
-
     /// In which of the subgroup's lanes `is_set` is true: lane `i` is bit `i % 32` of component `i / 32`. [`lanes`] and [`lanes_before`]
     /// count them.
     #[inline(always)]
@@ -217,6 +159,41 @@ impl Invocation {
         let ballot = meet(Operation::Ballot, &[is_set.into()]);
         ballot
     }
+}
+
+/// Methods that combine a value of each lane.
+macro_rules! operations {
+    ($($(#[$doc:meta])* $function:ident($($operand:ident)?);)*) => {
+        impl Invocation {$(
+            $(#[$doc])*
+            #[inline(always)]
+            #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+            pub fn $function<T: SubgroupNumber>(&self, value: T $(, $operand: u32)?) -> T {
+                value.$function($($operand)?)
+            }
+        )*}
+    };
+}
+
+operations! {
+    /// The sum of the subgroup's values: of `u32` modulo 2^32, of `f32` in an order that the device chooses.
+    subgroup_sum();
+    /// The smallest of the subgroup's values. None of them is NaN.
+    subgroup_min();
+    /// The largest of the subgroup's values. None of them is NaN.
+    subgroup_max();
+    /// The sum of the values of this lane and of those before it: an inclusive scan. Modulo 2^32 of `u32`, of `f32` in an order that the
+    /// device chooses.
+    subgroup_inclusive_sum();
+    /// The sum of the values of the lanes before this one, 0 in the first: an exclusive scan. Modulo 2^32 of `u32`, of `f32` in an order
+    /// that the device chooses.
+    subgroup_exclusive_sum();
+    /// The value that `lane` gives. Each lane can ask for another one, and that is in the subgroup.
+    subgroup_shuffle(lane);
+    /// The value that the lane `subgroup_lane() ^ mask` gives. It is in the subgroup.
+    subgroup_shuffle_xor(mask);
+    /// The value of the subgroup's first lane.
+    subgroup_broadcast_first();
 }
 
 /// Number of lanes in a ballot.
@@ -298,22 +275,5 @@ impl Operation {
             }
         };
         Ok(UVec4::new(result, 0, 0, 0))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_ballot_counts_the_lanes_before_each() {
-        let is_set = |lane: u32| lane.is_multiple_of(3) || lane > 100;
-        let bits: [u32; 128] = core::array::from_fn(|lane| is_set(lane as u32).into());
-        let given = bits.map(|bit| UVec4::new(bit, 0, 0, 0));
-        let ballot = Operation::Ballot.of(0, &given).unwrap();
-        for lane in 0..128 {
-            assert_eq!(lanes_before(ballot, lane), bits[..lane as usize].iter().sum::<u32>());
-        }
-        assert_eq!(lanes(ballot), bits.iter().sum::<u32>());
     }
 }

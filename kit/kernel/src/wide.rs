@@ -357,6 +357,15 @@ impl<const N: usize> BitAnd for WideIndex<N> {
     }
 }
 
+macro_rules! wrapping {
+    ($($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self, other: Self) -> Self {
+            Self(sixteen!($name(self.0, other.0), lanes!(|i| self.0[i].$name(other.0[i]))))
+        }
+    )*};
+}
+
 impl<const N: usize> LaneIndex for WideIndex<N> {
     type Mask = WideMask<N>;
 
@@ -365,26 +374,7 @@ impl<const N: usize> LaneIndex for WideIndex<N> {
         Self([value; N])
     }
 
-    #[inline(always)]
-    fn wrapping_add(self, other: Self) -> Self {
-        let sum =
-            sixteen!(wrapping_add(self.0, other.0), lanes!(|i| self.0[i].wrapping_add(other.0[i])));
-        Self(sum)
-    }
-
-    #[inline(always)]
-    fn wrapping_sub(self, other: Self) -> Self {
-        let difference =
-            sixteen!(wrapping_sub(self.0, other.0), lanes!(|i| self.0[i].wrapping_sub(other.0[i])));
-        Self(difference)
-    }
-
-    #[inline(always)]
-    fn wrapping_mul(self, other: Self) -> Self {
-        let product =
-            sixteen!(wrapping_mul(self.0, other.0), lanes!(|i| self.0[i].wrapping_mul(other.0[i])));
-        Self(product)
-    }
+    wrapping! { wrapping_add wrapping_sub wrapping_mul }
 
     #[inline(always)]
     fn less(self, other: Self) -> Self::Mask {
@@ -453,7 +443,7 @@ mod tests {
     }
 
     /// Compares them with one lane's, for all pairs of special values.
-    fn are_those_of_one_lane<const N: usize>() {
+    fn match_one_lane<const N: usize>() {
         let values = [0.0, -0.0, 1.0, -1.5, 1e-40, f32::NAN, f32::INFINITY, -f32::INFINITY, 3e9];
         let values = [&values[..], &[-3e9, 88.9, -87.4, 0.3]].concat();
         let value = |at: usize| values[at % values.len()];
@@ -483,14 +473,14 @@ mod tests {
         for set in [InstructionSet::Avx2, InstructionSet::Avx512] {
             match set {
                 _ if !set.is_available() => {}
-                InstructionSet::Avx2 => are_those_of_one_lane::<8>(),
-                _ => are_those_of_one_lane::<16>(),
+                InstructionSet::Avx2 => match_one_lane::<8>(),
+                _ => match_one_lane::<16>(),
             }
         }
     }
 
     #[test]
-    fn the_exponential_is_that_of_f64() {
+    fn the_exponential_matches_f64() {
         let mut worst = 0.0_f64;
         for step in -90_000..90_000 {
             let x = step as f32 * 0.001;

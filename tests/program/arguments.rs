@@ -1,8 +1,6 @@
 //! Arguments of commands: files are recognized by their content, and a run's folder or a data set can replace a scene
 //! or cameras.
 
-use std::fs;
-
 use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
@@ -30,10 +28,9 @@ fn the_wrong_order_is_told_by_the_content() {
     sandbox
         .run("tiles scene.safetensors cameras.json tiles.json -o batch --backend cpu")
         .assert_ok();
-    fs::create_dir_all(sandbox.path("run")).unwrap();
-    fs::copy(sandbox.path(SCENE), sandbox.path("run/checkpoint.safetensors")).unwrap();
-    fs::create_dir_all(sandbox.path("data")).unwrap();
-    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+    sandbox.make_folder("run");
+    sandbox.copy_file(SCENE, "run/checkpoint.safetensors");
+    sandbox.copy_file("cameras.json", "data/transforms.json");
     let scene =
         "scene.safetensors: this is a scene; cameras (transforms.json) or a data set were expected";
     for (words, fact) in [
@@ -64,8 +61,8 @@ fn the_wrong_order_is_told_by_the_content() {
         sandbox.assert_refuses(words, &[fact, "the order is: scene, cameras or data set, tiles"]);
     }
     // files of other programs
-    fs::write(sandbox.path("notes.md"), "# Notes\n").unwrap();
-    fs::write(sandbox.path("splats.ply"), "ply\nformat ascii 1.0\nend_header\n").unwrap();
+    sandbox.write("notes.md", "# Notes\n");
+    sandbox.write("splats.ply", "ply\nformat ascii 1.0\nend_header\n");
     for (words, fact) in [
         ("train notes.md -o out", "another kind of file; a data set was expected"),
         ("render scene.safetensors notes.md -o out", "another kind of file; cameras"),
@@ -75,7 +72,7 @@ fn the_wrong_order_is_told_by_the_content() {
         sandbox.assert_refuses(words, &[fact]);
     }
     // not a scene, under a scene's name
-    fs::copy(sandbox.path("cameras.json"), sandbox.path(SCENE)).unwrap();
+    sandbox.copy_file("cameras.json", SCENE);
     sandbox
         .assert_refuses("render scene.safetensors cameras.json -o out", &["another kind of file"]);
 }
@@ -93,7 +90,7 @@ fn missing_files_are_named_before_a_device_is_opened() {
         outcome.assert_refused(&["nothing: there is no such file"]);
         assert_eq!(outcome.stderr.lines().count(), 1, "{outcome:?}");
     }
-    fs::create_dir(sandbox.path("empty")).unwrap();
+    sandbox.make_folder("empty");
     let outcome = sandbox.run("train empty -o run");
     outcome.assert_refused(&["no data set was found here"]);
     assert_eq!(outcome.stderr.lines().count(), 1, "{outcome:?}");
@@ -104,7 +101,7 @@ fn missing_files_are_named_before_a_device_is_opened() {
         let fact = "a scene file does not say what it was trained on";
         sandbox.assert_refuses(words, &["scene.safetensors", fact, advice]);
     }
-    fs::write(sandbox.path("empty/config.toml"), "").unwrap();
+    sandbox.write("empty/config.toml", "");
     sandbox.assert_refuses("render empty -o out", &["no checkpoint.safetensors yet"]);
 }
 
@@ -137,16 +134,15 @@ fn a_run_is_rendered_from_its_own_views() {
         sandbox.edit_json("cameras.json", &format!("/{key}"), json!(half));
     }
     render("run cameras.json -o half");
-    let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
     for name in ["0000.png", "0001.png"] {
-        let half = read(&format!("half/{name}"));
+        let half = sandbox.read(&format!("half/{name}"));
         let image = image::load_from_memory(&half).unwrap();
         assert_eq!((image.width(), image.height()), (48, 40));
-        assert!(read(&format!("all/{name}")) == half, "{name}");
-        assert!(read(&format!("file/{name}")) == half, "{name}");
+        assert!(sandbox.read(&format!("all/{name}")) == half, "{name}");
+        assert!(sandbox.read(&format!("file/{name}")) == half, "{name}");
     }
-    assert!(read("held/0000.png") == read("half/0000.png"));
-    assert!(read("seen/0001.png") == read("half/0001.png"));
+    assert!(sandbox.read("held/0000.png") == sandbox.read("half/0000.png"));
+    assert!(sandbox.read("seen/0001.png") == sandbox.read("half/0001.png"));
     let facts = ["photograph", "another folder"];
     sandbox.assert_refuses("render run -o data/images --backend cpu", &facts);
     let facts = ["no view 1", "views 0 to 0"];
@@ -160,7 +156,7 @@ fn every_command_takes_a_run_for_a_scene() {
     sandbox.edit_json("tiles.json", "/tiles", json!([{"camera": 0, "origin": [0, 0]}]));
     let tiles = |words: &str| {
         sandbox.run(&format!("tiles {words} -o out --backend cpu")).assert_ok();
-        fs::read(sandbox.path("out")).unwrap()
+        sandbox.read("out")
     };
     let own = tiles("run tiles.json --split train");
     assert!(
@@ -184,18 +180,18 @@ fn every_command_takes_a_run_for_a_scene() {
         [json!(true), json!(false)]
     );
     // a lens, and a photograph that is lost
-    let kept = fs::read(sandbox.path("data/transforms.json")).unwrap();
+    let kept = sandbox.read("data/transforms.json");
     let mut bent: Value = serde_json::from_slice(&kept).unwrap();
     bent["k1"] = json!(0.1);
     bent["camera_model"] = json!("OPENCV");
     bent["frames"][0]["file_path"] = json!("images/lost.png");
-    fs::write(sandbox.path("data/transforms.json"), bent.to_string()).unwrap();
+    sandbox.write("data/transforms.json", bent.to_string());
     let bent = json("info data --json");
     assert_eq!(bent["cameras"][0]["distorted"], true);
     assert_eq!(bent["missing"].as_array().map(Vec::len), Some(1));
     let text = sandbox.run("info data").assert_ok().stdout;
     assert!(text.contains("1 photograph missing") && text.contains("distorting lens"), "{text}");
-    fs::write(sandbox.path("data/transforms.json"), kept).unwrap();
+    sandbox.write("data/transforms.json", kept);
     let explain = |words: &str| json(&format!("explain {words} --pixel 20,20 --json"));
     let seen = explain("run --split train");
     assert_eq!(seen["color"], explain("run --view 1")["color"]);

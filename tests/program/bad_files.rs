@@ -1,7 +1,5 @@
 //! Files with wrong content.
 
-use std::fs;
-
 use serde_json::{Value, json};
 
 use crate::sandbox::{Metadata, Sandbox, Tensors};
@@ -32,7 +30,7 @@ fn assert_edit_refused(facts: &[&str], edit: impl FnOnce(&mut Metadata, &mut Ten
 fn missing_files() {
     for name in ["scene.safetensors", "cameras.json", "tiles.json"] {
         let sandbox = Sandbox::new("tiny");
-        fs::remove_file(sandbox.path(name)).unwrap();
+        sandbox.remove(name);
         sandbox.assert_refuses(TILES, &[name, "no such file"]);
         sandbox.assert_refuses(&format!("info {name}"), &[name, "no such file"]);
     }
@@ -53,7 +51,7 @@ fn folders_and_devices_are_no_files() {
 /// The messages for all the other ways to be wrong are tested where each kind of file is read, in `host/core`.
 #[test]
 fn scenes_of_each_kind_of_damage() {
-    let whole = fs::read(Sandbox::new("tiny").path("scene.safetensors")).unwrap();
+    let whole = Sandbox::new("tiny").read("scene.safetensors");
     let flipped = [&whole[..8], b"!", &whole[9..]].concat();
     for (bytes, fact) in [
         (&[][..], "0 bytes, too few"),
@@ -61,7 +59,7 @@ fn scenes_of_each_kind_of_damage() {
         (&flipped, "header does not parse"),
     ] {
         let sandbox = Sandbox::new("tiny");
-        fs::write(sandbox.path("scene.safetensors"), bytes).unwrap();
+        sandbox.write("scene.safetensors", bytes);
         assert_scene_refused(&sandbox, &[fact]);
     }
     assert_edit_refused(&["`color.grid`", "[1024, 1]", "[512, 2]"], |_, tensors| {
@@ -101,7 +99,7 @@ fn bad_cameras_and_tiles() {
         }
     }
     let sandbox = Sandbox::new("tiny");
-    fs::write(sandbox.path("cameras.json"), "{\"frames\": [").unwrap();
+    sandbox.write("cameras.json", "{\"frames\": [");
     for words in [TILES, RENDER, "info cameras.json"] {
         sandbox.assert_refuses(words, &["cameras.json", "line 1 column 12"]);
     }
@@ -116,7 +114,7 @@ fn files_of_no_known_kind() {
         ("{\"a\": 1}", "neither the `frames`"),
         ("", "neither safetensors nor a JSON object"),
     ] {
-        fs::write(sandbox.path("a.txt"), content).unwrap();
+        sandbox.write("a.txt", content);
         sandbox.assert_refuses("info a.txt", &["a.txt", fact]);
     }
 }

@@ -1,11 +1,7 @@
 //! Command lines that cannot be fulfilled.
 
-use std::fs;
+use crate::sandbox::{RENDER, Sandbox, TILES};
 
-use crate::sandbox::Sandbox;
-
-const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
-const RENDER: &str = "render scene.safetensors cameras.json --backend cpu";
 const EXPLAIN: &str = "explain scene.safetensors cameras.json";
 
 #[test]
@@ -53,9 +49,9 @@ fn options_that_contradict_each_other() {
 #[test]
 fn places_that_cannot_be_written() {
     let sandbox = Sandbox::new("tiny");
-    fs::write(sandbox.path("file"), "precious").unwrap();
-    fs::create_dir(sandbox.path("folder")).unwrap();
-    fs::create_dir_all(sandbox.path("views/0000.png")).unwrap();
+    sandbox.write("file", "precious");
+    sandbox.make_folder("folder");
+    sandbox.make_folder("views/0000.png");
     for (words, facts) in [
         (format!("{TILES} -o absent/out.safetensors"), ["absent", "does not exist"]),
         (format!("{TILES} -o file/out.safetensors"), ["file", "not a folder"]),
@@ -72,12 +68,12 @@ fn places_that_cannot_be_written() {
 #[test]
 fn inputs_are_not_replaced() {
     let sandbox = Sandbox::new("tiny");
-    fs::create_dir(sandbox.path("images")).unwrap();
+    sandbox.make_folder("images");
     for name in ["scene.safetensors", "./cameras.json", "images/../tiles.json"] {
         sandbox.assert_refuses(&format!("{TILES} -o {name}"), &[name, "would replace the input"]);
     }
     // the photograph of view 1, which may be the only copy
-    fs::write(sandbox.path("images/0001.png"), "a photograph").unwrap();
+    sandbox.write("images/0001.png", "a photograph");
     let facts = ["images/0001.png", "photograph", "another folder"];
     sandbox.assert_refuses(&format!("{RENDER} -o images"), &facts);
     sandbox.assert_refuses("demo -o images --backend cpu", &["0001.png", "another folder"]);
@@ -88,9 +84,9 @@ fn inputs_are_not_replaced() {
 #[test]
 fn failure_keeps_the_old_output() {
     let sandbox = Sandbox::new("tiny");
-    fs::write(sandbox.path("out"), "old").unwrap();
+    sandbox.write("out", "old");
     sandbox.edit_json("tiles.json", "/tiles/2/camera", 9.into());
     sandbox.assert_refuses(&format!("{TILES} -o out"), &["tile 2"]);
-    fs::write(sandbox.path("scene.safetensors"), "").unwrap();
+    sandbox.write("scene.safetensors", "");
     sandbox.assert_refuses(&format!("{RENDER} -o new/er/est"), &["too few"]);
 }

@@ -1,7 +1,5 @@
 //! `organza edit`: which Gaussians go and stay, and how the pictures change.
 
-use std::fs;
-
 use organza::{Camera, Scene};
 use organza_tests::cases;
 use serde_json::Value;
@@ -75,13 +73,13 @@ fn only_gaussians_in_no_view_are_removed() {
     let tiles = |scene: &str| {
         let words = format!("tiles {scene} cameras.json all.json -o out --backend cpu");
         sandbox.run(&words).assert_ok();
-        fs::read(sandbox.path("out")).unwrap()
+        sandbox.read("out")
     };
     // all of both images
     let tile =
         |at: usize| serde_json::json!({"camera": at / 4, "origin": [at % 2 * 48, at / 2 % 2 * 40]});
     let all = serde_json::json!({"side": 48, "tiles": (0..8).map(tile).collect::<Vec<_>>()});
-    fs::write(sandbox.path("all.json"), all.to_string()).unwrap();
+    sandbox.write("all.json", all.to_string());
     let exact = tiles("edited.safetensors");
     assert!(exact == tiles("planted.safetensors"), "the images have changed");
     let count = edited.gaussians.len();

@@ -1,7 +1,5 @@
 //! `organza eval`, on data sets whose photographs the program itself has rendered.
 
-use std::fs;
-
 use serde_json::{Value, json};
 
 use crate::sandbox::{Outcome, Sandbox};
@@ -10,7 +8,7 @@ use crate::sandbox::{Outcome, Sandbox};
 fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new("crowded");
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
-    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+    sandbox.copy_file("cameras.json", "data/transforms.json");
     sandbox
 }
 
@@ -97,11 +95,10 @@ fn alpha_is_put_in_front_of_the_background() {
 #[test]
 fn a_run_is_known_by_its_checkpoint() {
     let sandbox = sandbox();
-    fs::create_dir(sandbox.path("run")).unwrap();
+    sandbox.make_folder("run");
     let facts = ["run", "no checkpoint.safetensors", "scene file"];
     assert_refuses(&sandbox, "run data", &facts);
-    fs::copy(sandbox.path("scene.safetensors"), sandbox.path("run/checkpoint.safetensors"))
-        .unwrap();
+    sandbox.copy_file("scene.safetensors", "run/checkpoint.safetensors");
     let words = "eval run data --backend cpu --json";
     assert_eq!(sandbox.run(words).json(), eval(&sandbox, "--json").json());
 }
@@ -128,7 +125,7 @@ fn bad_requests() {
 fn data_without_held_out_frames_is_refused_with_advice() {
     let sandbox = sandbox();
     // the only frame that is held out
-    fs::remove_file(sandbox.path("data/images/0000.png")).unwrap();
+    sandbox.remove("data/images/0000.png");
     let outcome = eval(&sandbox, "");
     outcome.assert_refused(&["no frame", "held out", "--split train", "--hold-out-every"]);
     let outcome = eval(&sandbox, "--split train --json");

@@ -129,7 +129,7 @@ fn finished_frames_are_not_rendered_again() {
     let before = sandbox.files();
     assert_eq!(rendered(&words), 0);
     assert!(before == sandbox.files());
-    fs::remove_file(sandbox.path("frames/00002.png")).unwrap();
+    sandbox.remove("frames/00002.png");
     assert_eq!(rendered(&words), 1);
     assert!(before == sandbox.files());
     // another path, and fewer frames
@@ -144,15 +144,14 @@ fn finished_frames_are_not_rendered_again() {
 #[test]
 fn no_file_of_the_users_is_lost() {
     let sandbox = Sandbox::new("tiny");
-    fs::create_dir(sandbox.path("frames")).unwrap();
-    fs::write(sandbox.path("frames/00001.png"), "mine").unwrap();
+    sandbox.write("frames/00001.png", "mine");
     let words = format!("{FILM} -o frames --frames 2");
     sandbox.assert_refuses(&words, &["such as 00001.png"]);
-    fs::remove_file(sandbox.path("frames/00001.png")).unwrap();
+    sandbox.remove("frames/00001.png");
     sandbox.run(&words).assert_ok();
-    fs::write(sandbox.path("frames/00001.png"), "painted over").unwrap();
+    sandbox.write("frames/00001.png", "painted over");
     sandbox.run(&words).assert_ok();
-    assert_eq!(fs::read(sandbox.path("frames/00001.png")).unwrap(), b"painted over");
+    assert_eq!(sandbox.read("frames/00001.png"), b"painted over");
 }
 
 #[test]
@@ -216,23 +215,21 @@ cat > "$last"
         let bin = ffmpeg(&sandbox);
         let path = format!("{}:/usr/bin:/bin", bin.display());
         let words = format!("{FILM} -o film.mp4 --frames 3 --fps 24");
-        fs::write(sandbox.path("film.mp4"), "an older film").unwrap();
+        sandbox.write("film.mp4", "an older film");
 
         fs::write(bin.join("broken"), "").unwrap();
         let outcome = run(&sandbox, &words, &path);
         outcome.assert_refused(&["ffmpeg ended with", "3", "no space on the moon"]);
         assert!(outcome.stderr.contains("the frames are kept in film.mp4.frames"), "{outcome:?}");
-        assert_eq!(fs::read(sandbox.path("film.mp4")).unwrap(), b"an older film");
+        assert_eq!(sandbox.read("film.mp4"), b"an older film");
         let frames: Vec<u8> = (0..3)
-            .flat_map(|frame| {
-                fs::read(sandbox.path(&format!("film.mp4.frames/{frame:05}.png"))).unwrap()
-            })
+            .flat_map(|frame| sandbox.read(&format!("film.mp4.frames/{frame:05}.png")))
             .collect();
 
         fs::remove_file(bin.join("broken")).unwrap();
         let made = run(&sandbox, &format!("{words} --json"), &path).json();
         assert_eq!(made["rendered"], 0);
-        assert!(fs::read(sandbox.path("film.mp4")).unwrap() == frames);
+        assert!(sandbox.read("film.mp4") == frames);
         let arguments = fs::read_to_string(bin.join("arguments")).unwrap();
         assert!(
             arguments.contains("-framerate 24") && arguments.contains("libx264"),
@@ -282,8 +279,7 @@ mod signals {
         }
         let made = sandbox.run(&format!("{stopped} --json")).json();
         assert!((1..100).contains(&made["rendered"].as_u64().unwrap()), "{made}");
-        let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
-        assert!(read("whole.png") == read("film.png"));
+        assert!(sandbox.read("whole.png") == sandbox.read("film.png"));
         assert!(!sandbox.path("film.png.frames").exists());
     }
 }

@@ -190,7 +190,7 @@ fn shells_complete_commands_and_options() {
         for word in commands(&sandbox).iter().map(String::as_str).chain(["hold-out-every"]) {
             assert!(script.contains(word), "{shell}: {word}");
         }
-        fs::write(sandbox.path(&format!("organza.{shell}")), script).unwrap();
+        sandbox.write(&format!("organza.{shell}"), script);
     }
     sandbox.run("completions cmd").assert_refused(&["'cmd'", "bash"]);
     // checked by bash itself
@@ -204,7 +204,7 @@ fn shells_complete_commands_and_options() {
                  _organza organza '{last}' '{before}'; echo \"${{COMPREPLY[@]}}\"",
                 words.len() - 1
             );
-            fs::write(sandbox.path("complete"), script).unwrap();
+            sandbox.write("complete", script);
             sandbox.shell("bash complete").assert_ok().stdout
         };
         assert_eq!(complete("organza ren").trim(), "render");
@@ -231,6 +231,6 @@ fn each_command_has_a_manual_page() {
     }
     assert_eq!(fs::read_dir(sandbox.path("man/man1")).unwrap().count(), commands.len() + 1);
     assert!(page("organza-render").contains("\\-\\-half\\-grids"), "the long help");
-    fs::write(sandbox.path("file"), "").unwrap();
+    sandbox.write("file", "");
     sandbox.assert_refuses("man -o file", &["file", "expected a folder"]);
 }

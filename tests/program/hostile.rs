@@ -5,10 +5,8 @@ use std::fs;
 use organza_tests::devices;
 use serde_json::json;
 
-use crate::sandbox::{Outcome, Sandbox};
+use crate::sandbox::{Outcome, Sandbox, TILES};
 use crate::train::runs;
-
-const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
 
 /// Clears the screen, rings the bell, reverses text, and starts new lines.
 const NASTY: &str = "a\x1b[2Jb\x07c\u{9b}31md\u{202e}e\u{61c}f\rg\nh\u{2028}i";
@@ -95,7 +93,7 @@ fn closed_streams_are_no_bug() {
         assert_eq!(outcome.code, Some(code), "{streams}: {outcome:?}");
         assert!(fs::metadata(sandbox.path("out")).unwrap().len() > 1000, "{streams}");
         // a scene must not be written into the file that replaces a closed stream
-        fs::remove_file(sandbox.path("out")).unwrap();
+        sandbox.remove("out");
     }
     for streams in ["2>&-", "2>/dev/full", ">&- 2>&-"] {
         let outcome = sandbox.shell(&format!("\"$ORGANZA\" info absent {streams}"));
@@ -110,7 +108,7 @@ fn closed_streams_are_no_bug() {
 #[test]
 fn folders_that_are_read_only_are_said() {
     let sandbox = Sandbox::new("tiny");
-    fs::create_dir(sandbox.path("locked")).unwrap();
+    sandbox.make_folder("locked");
     let mount = "mount -t tmpfs -o ro none locked";
     if sandbox.shell(&format!("unshare -rm {mount}")).code != Some(0) {
         eprintln!("skipped: no file system can be mounted here");

@@ -7,7 +7,7 @@ use std::process::Stdio;
 use organza_tests::devices::skip;
 use serde_json::json;
 
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Sandbox, TILES};
 
 #[cfg(target_os = "linux")]
 mod memory {
@@ -31,7 +31,7 @@ mod memory {
     fn json_is_held_to_it_before_it_is_parsed() {
         let sandbox = Sandbox::new("tiny");
         let text = format!("{{\"frames\": [{}0]}}", "{\"\":0},".repeat(400_000));
-        fs::write(sandbox.path("cameras.json"), text).unwrap();
+        sandbox.write("cameras.json", text);
         let facts = ["out of memory: parsing cameras.json needs", "are available"];
         let outcome = sandbox.shell("ulimit -v 200000; \"$ORGANZA\" info cameras.json");
         outcome.assert_refused(&facts);
@@ -40,19 +40,18 @@ mod memory {
 
     #[test]
     fn a_small_batch_fits() {
-        let words =
-            "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --threads 1";
-        Sandbox::new("tiny").shell(&format!("{LIMIT} \"$ORGANZA\" {words}")).assert_ok();
+        let words = format!("{LIMIT} \"$ORGANZA\" {TILES} -o out --threads 1");
+        Sandbox::new("tiny").shell(&words).assert_ok();
     }
 
     #[test]
     fn a_batch_that_does_not_fit() {
         let sandbox = Sandbox::new("tiny");
         sandbox.edit_json("tiles.json", "/side", json!(4096));
-        let words = "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu";
         let tile = json!({"camera": 0, "origin": [0, 0]});
         sandbox.edit_json("tiles.json", "/tiles", json!(vec![tile; 8]));
-        assert_refused(&sandbox, words, &["out of memory", "needs 1.50 GiB", "are available"]);
+        let facts = ["out of memory", "needs 1.50 GiB", "are available"];
+        assert_refused(&sandbox, &format!("{TILES} -o out"), &facts);
     }
 
     /// Half a million small values, which are not checked one by one.
@@ -61,7 +60,7 @@ mod memory {
         let sandbox = Sandbox::new("tiny");
         let tiles = r#"{"camera": 0, "origin": [0, 0]}, "#.repeat(400_000);
         let text = format!(r#"{{"side": 8, "tiles": [{}]}}"#, tiles.trim_end_matches(", "));
-        fs::write(sandbox.path("tiles.json"), text).unwrap();
+        sandbox.write("tiles.json", text);
         let outcome = sandbox.shell("ulimit -v 100000; \"$ORGANZA\" info tiles.json");
         outcome.assert_refused(&["out of memory"]);
     }
@@ -121,11 +120,10 @@ mod memory {
 #[test]
 fn full_disks() {
     let sandbox = Sandbox::new("tiny");
-    let tiles = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
-    sandbox.assert_refuses(&format!("{tiles} -o /dev/full"), &["/dev/full", "disk is full"]);
+    sandbox.assert_refuses(&format!("{TILES} -o /dev/full"), &["/dev/full", "disk is full"]);
 
     // A file system of a few pages, if the user may mount one.
-    fs::create_dir(sandbox.path("small")).unwrap();
+    sandbox.make_folder("small");
     let mount = |pages: u32| format!("mount -t tmpfs -o size={}k none small", 4 * pages);
     if sandbox.shell(&format!("unshare -rm {}", mount(1))).code != Some(0) {
         skip("a full disk of a page", "no file system can be mounted here");
@@ -139,7 +137,7 @@ fn full_disks() {
         );
         sandbox.shell(&format!("unshare -rm sh -c '{script}'"))
     };
-    let outcome = run(1, &format!("{tiles} -o small/out"));
+    let outcome = run(1, &format!("{TILES} -o small/out"));
     outcome.assert_refused(&["small/out", "disk is full", "free some space"]);
     assert!(outcome.stderr.ends_with("\nold\nout\n"), "{outcome:?}");
     // The lock comes first, then what images are made of, and then an image.
@@ -166,8 +164,8 @@ fn a_reader_that_leaves_is_no_error() {
         drop(child.stdout.take());
         assert_eq!(child.wait().unwrap().code(), Some(0), "{words}");
     }
-    let words = "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu";
-    let mut child = sandbox.command(words).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child =
+        sandbox.command(&format!("{TILES} -o out")).stderr(Stdio::piped()).spawn().unwrap();
     drop(child.stderr.take());
     assert_eq!(child.wait().unwrap().code(), Some(0));
 }

@@ -99,23 +99,23 @@ const WORDS: [&str; 34] = [
 fn template() -> Sandbox {
     let sandbox = Sandbox::new("tiny");
     let tiny = include_str!("train/tiny.toml");
-    fs::write(sandbox.path("tiny.toml"), tiny).unwrap();
+    sandbox.write("tiny.toml", tiny);
     let small = tiny.replace("steps = 40", "steps = 3");
     assert_ne!(small, tiny);
-    fs::write(sandbox.path("small.toml"), small).unwrap();
+    sandbox.write("small.toml", small);
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
     sandbox.run("tiles scene.safetensors cameras.json tiles.json -o out --backend cpu").assert_ok();
     let tiles = organza::scene::read_tensors(sandbox.path("out")).unwrap().remove("tiles").unwrap();
     let name = "grad_tiles".to_owned();
     let spec = organza::scene::TensorSpec { name, shape: tiles.shape, why: "" };
     organza::scene::write_tensors(sandbox.path("g"), &[(spec, &tiles.data)], &[]).unwrap();
-    fs::remove_file(sandbox.path("out")).unwrap();
+    sandbox.remove("out");
     let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
                property float z\nend_header\n0 0 0\n1 2 3\n0.5 0.1 -1\n";
-    fs::write(sandbox.path("data/points.ply"), ply).unwrap();
-    let cameras = fs::read_to_string(sandbox.path("cameras.json")).unwrap();
+    sandbox.write("data/points.ply", ply);
+    let cameras = sandbox.text("cameras.json");
     let named = cameras.replacen('{', "{\"ply_file_path\": \"points.ply\",", 1);
-    fs::write(sandbox.path("data/transforms.json"), named).unwrap();
+    sandbox.write("data/transforms.json", named);
     let words =
         "train data --config small.toml --backend cpu --downscale 2 --hold-out-every 2 -o run";
     sandbox.run(words).assert_ok();
@@ -152,9 +152,8 @@ fn bounded(sandbox: &Sandbox, words: &[String]) -> Option<Outcome> {
         }
         thread::sleep(Duration::from_millis(3));
     }
-    let read = |name: &str| {
-        String::from_utf8(fs::read(sandbox.path(name)).unwrap()).expect("the program writes UTF-8")
-    };
+    let read =
+        |name: &str| String::from_utf8(sandbox.read(name)).expect("the program writes UTF-8");
     let code = child.wait().unwrap().code();
     Some(Outcome { code, stdout: read(".stdout"), stderr: read(".stderr") })
 }
@@ -199,9 +198,9 @@ fn input(template: &Sandbox, number: u64, seed: u64) -> (Sandbox, Vec<String>, S
             })
             .collect();
         let name = if read.is_empty() { random.one(&FILES) } else { random.one(&read) };
-        let mut bytes = fs::read(sandbox.path(name)).unwrap();
+        let mut bytes = sandbox.read(name);
         (0..=random.below(3)).for_each(|_| mutate_bytes(&mut bytes, &mut random));
-        fs::write(sandbox.path(name), bytes).unwrap();
+        sandbox.write(name, bytes);
         changed = format!("{name} changed");
     }
     (sandbox, words, changed)

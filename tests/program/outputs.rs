@@ -12,14 +12,14 @@ use crate::train::runs::{self, TINY};
 /// A sandbox with a data set in `data`, a run on it in `run`, another in `other`, and Gaussians in `splats.ply`.
 fn sandbox() -> Sandbox {
     let sandbox = runs::sandbox();
-    fs::rename(sandbox.path("views"), sandbox.path("data")).unwrap();
+    sandbox.rename("views", "data");
     let train = TINY.replace("views", "data");
     sandbox.run(&format!("{train} run --steps 2")).assert_ok();
     sandbox.run(&format!("{train} other --steps 2 --seed 1")).assert_ok();
     let words = "export run -o splats.ply --steps 0 --side 16 --backend cpu";
     sandbox.run(words).assert_ok();
-    fs::copy(sandbox.path("splats.ply"), sandbox.path("data/points.ply")).unwrap();
-    fs::copy(sandbox.path("data/view-000.png"), sandbox.path("data/mask.png")).unwrap();
+    sandbox.copy_file("splats.ply", "data/points.ply");
+    sandbox.copy_file("data/view-000.png", "data/mask.png");
     sandbox
 }
 
@@ -73,7 +73,7 @@ fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
         assert!(made.success());
     };
     for folder in ["images", "frames", "film.png.frames", "demo", "page", "bench", "manual"] {
-        fs::create_dir(sandbox.path(folder)).unwrap();
+        sandbox.make_folder(folder);
     }
     symlink(&mine, sandbox.path("images/view-000.png")).unwrap();
     symlink("/dev/zero", sandbox.path("frames/00000.png")).unwrap();
@@ -127,7 +127,7 @@ fn one_command_at_a_time_writes_into_a_folder() {
     let sandbox = Sandbox::new("tiny");
     let render = "render scene.safetensors cameras.json -o out --backend cpu";
     let film = "film scene.safetensors cameras.json -o out --frames 2 --backend cpu";
-    fs::create_dir(sandbox.path("out")).unwrap();
+    sandbox.make_folder("out");
     let lock = FolderLock::exclusive(&sandbox.path("out")).unwrap().expect("it is free");
     let task = format!("{render} --task 1/2");
     for words in [render, &task, film, "demo -o out --views 2 --size 16 --backend cpu"] {

@@ -9,10 +9,7 @@ use organza_tests::cases::{self, Case};
 use organza_tests::compare::assert_close;
 use serde_json::{Value, json};
 
-use crate::sandbox::Sandbox;
-
-const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
-const RENDER: &str = "render scene.safetensors cameras.json --backend cpu";
+use crate::sandbox::{RENDER, Sandbox, TILES};
 
 /// The names of the cases in the repository.
 fn names() -> Vec<String> {
@@ -143,11 +140,10 @@ fn info_describes_every_file() {
 fn the_demonstration_needs_no_files_and_makes_some() {
     let sandbox = Sandbox::new("tiny");
     let demo = "demo -o demo --backend cpu";
-    let outcome = sandbox.run(&format!("{demo} --views 3 --size 40")).assert_ok();
-    assert!(
-        outcome.stderr.contains("then try\n  organza info demo/scene.safetensors"),
-        "{outcome:?}"
-    );
+    sandbox
+        .run(&format!("{demo} --views 3 --size 40"))
+        .assert_ok()
+        .says(&["then try\n  organza info demo/scene.safetensors"]);
     let sheet = image::open(sandbox.path("demo/turntable.png")).unwrap();
     assert_eq!((sheet.width(), sheet.height()), (120, 40));
     let scene = "demo/scene.safetensors";
@@ -161,7 +157,7 @@ fn the_demonstration_needs_no_files_and_makes_some() {
     assert!(read("images/0002.png") == read("demo/0002.png"));
     // again into its own folder, but not into another one
     sandbox.run(&format!("{demo} --views 1 --size 8")).assert_ok();
-    fs::copy(sandbox.path("scene.safetensors"), sandbox.path(scene)).unwrap();
+    sandbox.copy_file("scene.safetensors", scene);
     sandbox.assert_refuses(demo, &["holds a scene.safetensors", "another folder"]);
 }
 
@@ -197,7 +193,7 @@ fn distorted_lenses_are_warned_about() {
 #[test]
 fn outputs_are_replaced_whole() {
     let sandbox = Sandbox::new("tiny");
-    fs::write(sandbox.path("out.safetensors"), vec![1; 100_000]).unwrap();
+    sandbox.write("out.safetensors", vec![1; 100_000]);
     sandbox.run(&format!("{TILES} -o out.safetensors")).assert_ok();
     assert_eq!(read_tensors(sandbox.path("out.safetensors")).unwrap().len(), 1);
     for _ in 0..2 {
@@ -227,7 +223,7 @@ fn channels_are_written_beside_the_color() {
     let tiles = serde_json::to_vec(
         &json!({"side": width.max(height), "tiles": [{"camera": 0, "origin": [0, 0]}]}),
     );
-    fs::write(sandbox.path("view.json"), tiles.unwrap()).unwrap();
+    sandbox.write("view.json", tiles.unwrap());
     let all = "depth,alpha,visibility,normal";
     let words = "tiles scene.safetensors cameras.json view.json --backend cpu -o view.safetensors";
     sandbox.run(&format!("{words} --channels {all}")).assert_ok();
@@ -282,8 +278,10 @@ fn channels_are_written_beside_the_color() {
             }
         }
     }
-    let deep = sandbox.run(&format!("{words} --channels depth --depth-scale 1e6")).assert_ok();
-    assert!(deep.stderr.contains("deeper than a PNG holds"), "{deep:?}");
+    sandbox
+        .run(&format!("{words} --channels depth --depth-scale 1e6"))
+        .assert_ok()
+        .says(&["deeper than a PNG holds"]);
     sandbox.assert_refuses(&format!("{RENDER} -o images --channels color"), &["color", "depth"]);
     sandbox.assert_refuses(&format!("{RENDER} -o images --format exr"), &["--channels"]);
     sandbox.assert_refuses(

@@ -85,6 +85,20 @@ impl Outcome {
         self
     }
 
+    /// Asserts that stderr has these words.
+    #[track_caller]
+    pub fn says(self, words: &[&str]) -> Self {
+        words.iter().for_each(|words| assert!(self.stderr.contains(words), "{words}: {self:?}"));
+        self
+    }
+
+    /// Asserts that stderr has none of these words.
+    #[track_caller]
+    pub fn says_not(self, words: &[&str]) -> Self {
+        words.iter().for_each(|words| assert!(!self.stderr.contains(words), "{words}: {self:?}"));
+        self
+    }
+
     /// The JSON that a successful run prints.
     #[track_caller]
     pub fn json(self) -> Value {
@@ -106,6 +120,10 @@ impl Outcome {
         assert_eq!(self.stdout, "");
     }
 }
+
+/// Commands on a sandbox's files, without their output.
+pub const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
+pub const RENDER: &str = "render scene.safetensors cameras.json --backend cpu";
 
 /// A copy of a case, in a folder that is removed after the test.
 #[derive(Debug)]
@@ -144,6 +162,44 @@ impl Sandbox {
 
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
+    }
+
+    #[track_caller]
+    pub fn read(&self, name: &str) -> Vec<u8> {
+        fs::read(self.path(name)).unwrap()
+    }
+
+    #[track_caller]
+    pub fn text(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    #[track_caller]
+    pub fn make_folder(&self, name: &str) {
+        fs::create_dir_all(self.path(name)).unwrap();
+    }
+
+    /// Writes a file, and makes the folder that it is in.
+    #[track_caller]
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        let path = self.path(name);
+        fs::create_dir_all(path.parent().expect("a folder")).unwrap();
+        fs::write(path, content).unwrap();
+    }
+
+    #[track_caller]
+    pub fn copy_file(&self, from: &str, to: &str) {
+        self.write(to, self.read(from));
+    }
+
+    #[track_caller]
+    pub fn rename(&self, from: &str, to: &str) {
+        fs::rename(self.path(from), self.path(to)).unwrap();
+    }
+
+    #[track_caller]
+    pub fn remove(&self, name: &str) {
+        fs::remove_file(self.path(name)).unwrap();
     }
 
     /// A command to run in the folder. Words are separated by spaces.
@@ -216,19 +272,28 @@ impl Sandbox {
     }
 
     pub fn read_json(&self, name: &str) -> Value {
-        serde_json::from_slice(&fs::read(self.path(name)).unwrap()).unwrap()
+        serde_json::from_slice(&self.read(name)).unwrap()
+    }
+
+    /// Rewrites a text file, which `edit` changes.
+    #[track_caller]
+    pub fn edit_text(&self, name: &str, edit: impl FnOnce(&str) -> String) {
+        let before = self.text(name);
+        let after = edit(&before);
+        assert_ne!(before, after);
+        self.write(name, after);
     }
 
     /// Changes one value of a JSON file.
     pub fn edit_json(&self, name: &str, pointer: &str, value: Value) {
         let mut json = self.read_json(name);
         *json.pointer_mut(pointer).expect("a place in the file") = value;
-        fs::write(self.path(name), json.to_string()).unwrap();
+        self.write(name, json.to_string());
     }
 
     /// Reads a file of tensors, and writes it again after `edit`.
     pub fn edit_tensors(&self, name: &str, edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
-        let file = fs::read(self.path(name)).unwrap();
+        let file = self.read(name);
         let (_, header) = SafeTensors::read_metadata(&file).unwrap();
         let mut metadata = header.metadata().clone().expect("metadata");
         let tensor = |(name, tensor): (&str, TensorView<'_>)| {

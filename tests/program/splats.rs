@@ -56,8 +56,7 @@ fn a_scene_goes_out_and_comes_back() {
     // without cameras: with views from all around
     let words =
         "import thin.ply -o round.safetensors --steps 1 --side 24 --background white --backend cpu";
-    let outcome = sandbox.run(words).assert_ok();
-    assert!(!outcome.stderr.contains("of the pixels"), "{outcome:?}");
+    sandbox.run(words).assert_ok().says_not(&["of the pixels"]);
     let round = Scene::load(sandbox.path("round.safetensors")).expect("a scene");
     assert_eq!(round.config.background, [1.0; 3]);
     assert_eq!(round.gaussians.len(), back.gaussians.len());
@@ -68,8 +67,7 @@ fn a_scene_goes_out_and_comes_back() {
     }
     Camera::save_all(sandbox.path("far.json"), &far).expect("cameras");
     let words = "import thin.ply far.json -o far.safetensors --steps 1 --backend cpu";
-    let outcome = sandbox.run(words).assert_ok();
-    assert!(outcome.stderr.contains("of the pixels"), "{outcome:?}");
+    sandbox.run(words).assert_ok().says(&["of the pixels"]);
     // and as the start of a training
     let words =
         "train views -o run --start thin.ply --steps 1 --set densification.end=0 --backend cpu";
@@ -103,7 +101,7 @@ fn a_run_keeps_the_fit_of_its_export() {
     let without_a_value = &kept[..kept.len() - 4];
     let not_finite = [without_a_value, &f32::NAN.to_le_bytes()].concat();
     for damaged in [without_a_value, &not_finite, &kept[1..], &[]] {
-        fs::write(sandbox.path("run/export.fit"), damaged).unwrap();
+        sandbox.write("run/export.fit", damaged);
         assert_eq!(export("second.ply"), (false, scores.clone()));
         assert!(read("run/export.fit") == kept && read("first.ply") == read("second.ply"));
     }
@@ -324,7 +322,7 @@ fn bad_files_and_options_are_refused() {
     sandbox.assert_refuses(&format!("{export} -o thin.obj"), &["thin.obj", ".ply, .spz"]);
     let words = format!("{export} -o new.ply --spz-version 2");
     sandbox.assert_refuses(&words, &["--spz-version", "ends in .spz"]);
-    fs::rename(sandbox.path("thin.safetensors"), sandbox.path("thin.ply")).unwrap();
+    sandbox.rename("thin.safetensors", "thin.ply");
     sandbox.assert_refuses("export thin.ply -o thin.ply", &["would replace the input"]);
     sandbox.assert_refuses(
         "import thin.ply -o new.safetensors",
@@ -334,12 +332,11 @@ fn bad_files_and_options_are_refused() {
         sandbox.assert_refuses(words, &["new.", "ends in .safetensors", "organza export"]);
     }
     sandbox.assert_refuses("import none.ply -o new.safetensors", &["none.ply", "no such file"]);
-    fs::write(
-        sandbox.path("points.ply"),
+    sandbox.write(
+        "points.ply",
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty \
         float y\nproperty float z\nend_header\n1 2 3\n",
-    )
-    .unwrap();
+    );
     sandbox.assert_refuses("import points.ply -o new.safetensors", &["points.ply", "`f_dc_0`"]);
     sandbox.assert_refuses("train views -o run --start points.ply", &["points.ply", "`f_dc_0`"]);
     assert!(!sandbox.path("new.safetensors").exists());

@@ -1,7 +1,5 @@
 //! The same settings give the same bits, also where a step waits less, or goes in parts.
 
-use std::fs;
-
 use organza::data::Background;
 use organza::train::config::LearnExposure;
 use organza::train::{CHECKPOINT, Checkpoint, StepHooks, TrainConfig, Trainer};
@@ -18,8 +16,7 @@ fn the_same_settings_give_the_same_bits_on_any_number_of_threads() {
     sandbox.run("train --config one/config.toml --backend cpu -o again").assert_ok();
     assert_same_run(&sandbox, "two", "one");
     assert_same_run(&sandbox, "again", "one");
-    let config = |run: &str| fs::read_to_string(sandbox.path(run).join("config.toml")).unwrap();
-    assert_eq!(config("again"), config("one"));
+    assert_eq!(sandbox.text("again/config.toml"), sandbox.text("one/config.toml"));
     let read = |name: &str| TrainConfig::load(sandbox.path(name)).expect("settings");
     let mut given = read("tiny.toml");
     // settings that come from the data set are written

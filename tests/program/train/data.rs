@@ -1,7 +1,5 @@
 //! The data behind a run: commands that take both say if it has changed, or is no longer there.
 
-use std::fs;
-
 use image::imageops::FilterType;
 use organza::train::{CONFIG, TrainConfig};
 use serde_json::json;
@@ -47,8 +45,7 @@ fn every_command_notices_another_order_of_frames() {
         sandbox.assert_refuses(words, &facts);
     }
     // what is named is taken as it is
-    let outcome = sandbox.run("eval run views --backend cpu").assert_ok();
-    assert!(outcome.stderr.contains("warning: views: its frames"), "{outcome:?}");
+    sandbox.run("eval run views --backend cpu").assert_ok().says(&["warning: views: its frames"]);
     sandbox.shell("cp -r views other").assert_ok();
     let outcome = sandbox.run("eval run other --backend cpu").assert_ok();
     assert!(outcome.stderr.starts_with("other: its frames"), "{outcome:?}");
@@ -60,9 +57,8 @@ fn every_command_notices_another_order_of_frames() {
 #[test]
 fn another_photograph_is_noticed_where_it_is_read() {
     let sandbox = trained();
-    let file = |view: u32| sandbox.path(&format!("views/view-{view:03}.png"));
-    let before = fs::read(file(0)).unwrap();
-    fs::copy(file(4), file(0)).unwrap();
+    let before = sandbox.read("views/view-000.png");
+    sandbox.copy_file("views/view-004.png", "views/view-000.png");
     let facts = ["view-000.png", "has changed since the run was trained", "name the data set"];
     sandbox.assert_refuses("eval run --backend cpu", &facts);
     sandbox.assert_refuses("edit run -o new.safetensors --keep-largest --backend cpu", &facts);
@@ -70,7 +66,7 @@ fn another_photograph_is_noticed_where_it_is_read() {
     sandbox.run("eval run --split train --backend cpu").assert_ok();
     sandbox.run("render run -o images --backend cpu").assert_ok();
     sandbox.run("eval run views --backend cpu").assert_ok();
-    fs::write(file(0), before).unwrap();
+    sandbox.write("views/view-000.png", before);
     sandbox.run("eval run --backend cpu").assert_ok();
 }
 
@@ -92,7 +88,7 @@ fn runs_on_different_data_are_told_apart() {
 #[test]
 fn a_data_set_that_has_moved_is_named() {
     let sandbox = trained();
-    fs::rename(sandbox.path("views"), sandbox.path("moved")).unwrap();
+    sandbox.rename("views", "moved");
     for words in ["eval run", "view run", "train --resume run --steps 9"] {
         let facts = ["views", "no longer there", "`data.path` in run/config.toml"];
         sandbox.assert_refuses(&format!("{words} --backend cpu"), &facts);
@@ -101,7 +97,7 @@ fn a_data_set_that_has_moved_is_named() {
     sandbox.shell("sed -i 's|/views\"|/moved\"|' run/config.toml").assert_ok();
     sandbox.run("eval run --backend cpu").assert_ok();
     // a run can be resumed from any folder
-    fs::rename(sandbox.path("moved"), sandbox.path("views")).unwrap();
+    sandbox.rename("moved", "views");
     let resume = "train --resume run --steps 9 --set data.path=views --backend cpu";
     sandbox.run(resume).assert_ok();
     sandbox.shell("mkdir elsewhere && cd elsewhere && \"$ORGANZA\" eval ../run").assert_ok();
@@ -164,8 +160,10 @@ fn a_checkpoint_of_another_version_goes_on_with_a_warning() {
         assert!(run.contains(&own), "{run}");
         *run = run.replace(&own, "\"version\":\"0.0.7\"");
     });
-    let outcome = sandbox.run("train --resume run --steps 9 --backend cpu").assert_ok();
-    assert!(outcome.stderr.contains("warning: organza 0.0.7 wrote the checkpoint"), "{outcome:?}");
+    sandbox
+        .run("train --resume run --steps 9 --backend cpu")
+        .assert_ok()
+        .says(&["warning: organza 0.0.7 wrote the checkpoint"]);
 }
 
 /// Training says what it starts from, if not from the data set's points.
@@ -179,14 +177,14 @@ fn a_start_without_points_is_told() {
     assert!(text.contains(start) && !text.contains("warning"), "{text}");
     let mut file = sandbox.read_json("views/transforms.json");
     file["ply_file_path"] = json!("points.ply");
-    fs::write(sandbox.path("views/transforms.json"), file.to_string()).unwrap();
+    sandbox.write("views/transforms.json", file.to_string());
     for (run, x, facts) in [("with", 0, &[][..]), ("away", 999, &["show only 0%", "are not used"])]
     {
         let points: String =
             (0..27).map(|i| format!("{}.{} 0.{} 0.{}\n", x, i % 3, i / 3 % 3, i / 9)).collect();
         let head = "ply\nformat ascii 1.0\nelement vertex 27\nproperty float x\nproperty float y\n\
                     property float z\nend_header\n";
-        fs::write(sandbox.path("views/points.ply"), [head, &points].concat()).unwrap();
+        sandbox.write("views/points.ply", [head, &points].concat());
         let text = told(run);
         assert_eq!(text.contains(start), !facts.is_empty(), "{text}");
         assert!(facts.iter().all(|fact| text.contains(fact)), "{text}");

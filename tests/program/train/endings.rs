@@ -56,16 +56,14 @@ fn a_run_that_is_told_to_stop_goes_on_to_the_same_bits() {
     for (signal, after) in [("TERM", 3), ("INT", 23)] {
         let mut child = start(&sandbox, &words);
         wait_for_steps(&mut child, &sandbox.path("run"), after);
-        let outcome = stop(child, signal).assert_ok();
-        assert!(outcome.stderr.contains("saved; `organza train --resume run`"), "{outcome:?}");
+        stop(child, signal).assert_ok().says(&["saved; `organza train --resume run`"]);
         let progress = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).unwrap().progress;
         assert!(progress.step >= after as u32 && progress.step < 40, "{progress:?}");
         assert_eq!(steps(&sandbox.path("run")), progress.step as usize);
         assert!(sandbox.path("run").join(REPORT).exists());
         words = "train --resume run --backend cpu".to_owned();
     }
-    let outcome = sandbox.run(&words).assert_ok();
-    assert!(outcome.stderr.contains("continuing after step"), "{outcome:?}");
+    sandbox.run(&words).assert_ok().says(&["continuing after step"]);
     assert_like_whole(&sandbox, "run");
 }
 
@@ -180,7 +178,7 @@ fn the_best_checkpoint_is_kept() {
 fn a_run_that_is_done_stays_as_it_is() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 12")).assert_ok();
-    let read = |name: &str| fs::read(sandbox.path("run").join(name)).unwrap();
+    let read = |name: &str| sandbox.read(&format!("run/{name}"));
     let names = [BEST, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, REPORT];
     let before = names.map(read);
     sandbox.run("train --resume run --backend cpu").assert_ok();

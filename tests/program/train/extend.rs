@@ -30,8 +30,10 @@ fn a_killed_extension_ends_with_the_same_bits() {
     sandbox.run(&format!("{TINY} run --steps 20")).assert_ok();
     sandbox.shell("cp -r run killed").assert_ok();
     let before = without_times(&records(&sandbox.path("run")));
-    let outcome = sandbox.run(&format!("train --resume run {MORE}")).assert_ok();
-    assert!(outcome.stderr.contains("run.steps is 40 from here on; it was 20"), "{outcome:?}");
+    sandbox
+        .run(&format!("train --resume run {MORE}"))
+        .assert_ok()
+        .says(&["run.steps is 40 from here on; it was 20"]);
 
     let expected =
         [change(20, "densification.max_gaussians", 400, 450), change(20, "run.steps", 20, 40)];
@@ -91,12 +93,12 @@ fn bad_extensions_are_refused() {
         let words = format!("train --resume run {words} --backend cpu");
         sandbox.assert_refuses(&words, &facts);
     }
-    let outcome = sandbox.run("train --resume run --backend cpu").assert_ok();
-    assert!(outcome.stderr.contains("all 13 steps are done; `--steps N` extends"), "{outcome:?}");
+    sandbox
+        .run("train --resume run --backend cpu")
+        .assert_ok()
+        .says(&["all 13 steps are done; `--steps N` extends"]);
     // an edited file has the same effect
-    let path = sandbox.path("run/config.toml");
-    let config = fs::read_to_string(&path).unwrap();
-    fs::write(&path, config.replacen("steps = 13", "steps = 15", 1)).unwrap();
+    sandbox.edit_text("run/config.toml", |config| config.replacen("steps = 13", "steps = 15", 1));
     sandbox.run("train --resume run --backend cpu").assert_ok();
     assert_eq!(changes(&sandbox, "run"), [change(13, "run.steps", 13, 15)]);
 }

@@ -22,19 +22,11 @@ fn stopped(sandbox: &Sandbox) {
     });
 }
 
-fn edit_config(sandbox: &Sandbox, edit: impl FnOnce(String) -> String) {
-    let path = sandbox.path("run/config.toml");
-    let before = fs::read_to_string(&path).unwrap();
-    let after = edit(before.clone());
-    assert_ne!(before, after);
-    fs::write(path, after).unwrap();
-}
-
 #[test]
 fn settings_that_are_not_the_checkpoints_are_refused_by_name() {
     let sandbox = sandbox();
     stopped(&sandbox);
-    let config = fs::read_to_string(sandbox.path("run/config.toml")).unwrap();
+    let config = sandbox.text("run/config.toml");
     let facts = ["run/config.toml", "but the checkpoint beside it was trained with"];
     // the number of steps may change: see `extend.rs`
     for (from, to, name) in [
@@ -43,16 +35,16 @@ fn settings_that_are_not_the_checkpoints_are_refused_by_name() {
         ("downscale = 2", "downscale = 1", "`data.downscale` is 1"),
         ("ssim_weight = 0.2", "ssim_weight = 0.25", "`loss.ssim_weight` is 0.25"),
     ] {
-        edit_config(&sandbox, |config| config.replacen(from, to, 1));
+        sandbox.edit_text("run/config.toml", |config| config.replacen(from, to, 1));
         sandbox.assert_refuses(RESUME, &[facts[0], facts[1], name]);
         sandbox.assert_refuses("eval run --backend cpu", &[facts[0], facts[1], name]);
-        fs::write(sandbox.path("run/config.toml"), &config).unwrap();
+        sandbox.write("run/config.toml", &config);
     }
     // cut short anywhere, also to nothing
     for part in [0, 1, 3, 5, 7] {
-        edit_config(&sandbox, |config| config[..config.len() * part / 8].to_owned());
+        sandbox.edit_text("run/config.toml", |config| config[..config.len() * part / 8].to_owned());
         sandbox.assert_refuses(RESUME, &["run/config.toml"]);
-        fs::write(sandbox.path("run/config.toml"), &config).unwrap();
+        sandbox.write("run/config.toml", &config);
     }
     sandbox.run(RESUME).assert_ok();
 }
@@ -61,18 +53,18 @@ fn settings_that_are_not_the_checkpoints_are_refused_by_name() {
 fn data_that_is_not_the_checkpoints_is_refused_by_name() {
     let sandbox = sandbox();
     stopped(&sandbox);
-    let transforms = fs::read(sandbox.path("data/transforms.json")).unwrap();
-    let photograph = fs::read(sandbox.path("data/images/0001.png")).unwrap();
+    let transforms = sandbox.read("data/transforms.json");
+    let photograph = sandbox.read("data/images/0001.png");
     let other = "are not those that the run was trained on";
     sandbox.edit_json("data/transforms.json", "/fl_x", json!(50.0));
     sandbox.assert_refuses(RESUME, &["data", "frames", other]);
-    fs::write(sandbox.path("data/transforms.json"), &transforms).unwrap();
-    fs::copy(sandbox.path("data/images/0000.png"), sandbox.path("data/images/0001.png")).unwrap();
+    sandbox.write("data/transforms.json", &transforms);
+    sandbox.copy_file("data/images/0000.png", "data/images/0001.png");
     sandbox.assert_refuses(RESUME, &["data", "photographs", other]);
-    fs::write(sandbox.path("data/images/0001.png"), &photograph).unwrap();
+    sandbox.write("data/images/0001.png", &photograph);
     // the data may move
-    fs::rename(sandbox.path("data"), sandbox.path("moved")).unwrap();
-    edit_config(&sandbox, |config| config.replacen("/data\"", "/moved\"", 1));
+    sandbox.rename("data", "moved");
+    sandbox.edit_text("run/config.toml", |config| config.replacen("/data\"", "/moved\"", 1));
     sandbox.run(RESUME).assert_ok();
 }
 
@@ -84,17 +76,13 @@ fn a_checkpoint_of_an_older_program_goes_on_with_a_warning() {
     sandbox.edit_tensors(SAVED, |metadata, _| {
         assert!(metadata.remove("run").is_some(), "it is bound");
     });
-    let outcome = sandbox.run(RESUME).assert_ok();
-    assert!(
-        outcome.stderr.contains("warning: an older program wrote the checkpoint"),
-        "{outcome:?}"
-    );
+    sandbox.run(RESUME).assert_ok().says(&["warning: an older program wrote the checkpoint"]);
     assert_same("run", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
     // but not with other settings that may have any value
     sandbox.edit_tensors(SAVED, |metadata, _| {
         metadata.remove("run");
     });
-    fs::write(sandbox.path("run/config.toml"), "").unwrap();
+    sandbox.write("run/config.toml", "");
     sandbox.assert_refuses(RESUME, &["config.toml", "is missing", "cut short"]);
     sandbox.assert_refuses("eval run --backend cpu", &["config.toml", "is missing"]);
 }
@@ -103,7 +91,7 @@ fn a_checkpoint_of_an_older_program_goes_on_with_a_warning() {
 fn moments_and_statistics_that_are_no_numbers_are_refused_by_name() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 10")).assert_ok();
-    let checkpoint = fs::read(sandbox.path(SAVED)).unwrap();
+    let checkpoint = sandbox.read(SAVED);
     for (name, value, fact) in [
         ("adam.first.gaussians.position", f32::NAN, "holds NaN at flat index 2"),
         ("adam.second.color.grid", f32::INFINITY, "holds inf at flat index 2"),
@@ -115,7 +103,7 @@ fn moments_and_statistics_that_are_no_numbers_are_refused_by_name() {
             data[8..12].copy_from_slice(&value.to_le_bytes());
         });
         sandbox.assert_refuses(RESUME, &["checkpoint.safetensors", name, fact]);
-        fs::write(sandbox.path(SAVED), &checkpoint).unwrap();
+        sandbox.write(SAVED, &checkpoint);
     }
 }
 
@@ -151,8 +139,8 @@ fn a_second_training_in_the_same_folder_is_refused() {
 fn pipes_and_links_in_the_place_of_a_runs_files_are_refused() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 2")).assert_ok();
-    fs::create_dir(sandbox.path("new")).unwrap();
-    fs::write(sandbox.path("precious"), "precious").unwrap();
+    sandbox.make_folder("new");
+    sandbox.write("precious", "precious");
     let files = [
         "metrics.jsonl",
         "report.html",
@@ -179,5 +167,5 @@ fn pipes_and_links_in_the_place_of_a_runs_files_are_refused() {
         sandbox.shell(&format!("timeout 20 \"$ORGANZA\" {resume}")).assert_refused(&[name]);
         fs::remove_dir_all(sandbox.path("old")).unwrap();
     }
-    assert_eq!(fs::read_to_string(sandbox.path("precious")).unwrap(), "precious");
+    assert_eq!(sandbox.text("precious"), "precious");
 }

@@ -1,7 +1,6 @@
 //! Data sets that are malicious, or as damaged as if they were.
 #![cfg(target_os = "linux")]
 
-use std::fs;
 use std::time::{Duration, Instant};
 
 use serde_json::json;
@@ -57,7 +56,7 @@ fn small_png(size: [u32; 2], depth: u8, color: u8) -> Vec<u8> {
 
 /// Replaces the first photograph, and gives every camera its size.
 fn replace_photograph(sandbox: &Sandbox, file: &[u8], [width, height]: [u32; 2]) {
-    fs::write(sandbox.path("data/images/0000.png"), file).unwrap();
+    sandbox.write("data/images/0000.png", file);
     sandbox.edit_json("data/transforms.json", "/w", json!(width));
     sandbox.edit_json("data/transforms.json", "/h", json!(height));
 }
@@ -92,8 +91,8 @@ fn decoding_has_a_budget() {
     let size = [6000, 4000];
     let photograph = image::GrayImage::new(size[0], size[1]);
     photograph.save(sandbox.path("data/images/0000.png")).unwrap();
-    fs::copy(sandbox.path("data/images/0000.png"), sandbox.path("data/images/0001.png")).unwrap();
-    let file = fs::read(sandbox.path("data/images/0000.png")).unwrap();
+    sandbox.copy_file("data/images/0000.png", "data/images/0001.png");
+    let file = sandbox.read("data/images/0000.png");
     replace_photograph(&sandbox, &file, size);
     let train = format!("{TRAIN} --downscale 50 --hold-out-every 0");
     sandbox.shell(&format!("ulimit -v 500000; \"$ORGANZA\" {train}")).assert_refused(&[
@@ -123,11 +122,11 @@ fn zeros(length: usize) -> Vec<u8> {
 fn profiles_that_grow_are_passed_over() {
     let sandbox = data();
     for name in ["0000", "0001"] {
-        let path = sandbox.path(&format!("data/images/{name}.png"));
-        let file = fs::read(&path).unwrap();
+        let name = format!("data/images/{name}.png");
+        let file = sandbox.read(&name);
         let (header, rest) = file.split_at(33);
         let profile = chunk(b"iCCP", &[b"a\0\0", zeros(400 << 20).as_slice()].concat());
-        fs::write(path, [header, &profile, rest].concat()).unwrap();
+        sandbox.write(&name, [header, &profile, rest].concat());
     }
     let script = format!("ulimit -v 600000; \"$ORGANZA\" {TRAIN} --downscale 2 --hold-out-every 0");
     sandbox.shell(&script).assert_ok();
@@ -142,7 +141,7 @@ fn many_missing_photographs_are_one_line() {
     frames.extend((0..20_000).map(|number| {
         json!({"file_path": format!("images/lost-{number}.png"), "transform_matrix": pose})
     }));
-    fs::write(sandbox.path("data/transforms.json"), file.to_string()).unwrap();
+    sandbox.write("data/transforms.json", file.to_string());
     let outcome = sandbox.run(&format!("{TRAIN} --downscale 2 --hold-out-every 0")).assert_ok();
     let facts = "missing, so left out: 20,000 photographs, the first is ";
     assert!(outcome.stderr.contains(facts) && outcome.stderr.len() < 2000, "{outcome:?}");
@@ -154,7 +153,7 @@ fn files_outside_the_data_sets_folder_are_read_where_that_is_allowed() {
     let facts = ["outside of", "--allow-outside"];
     for link in [false, true] {
         let sandbox = data();
-        fs::rename(sandbox.path("data/images/0001.png"), sandbox.path("other.png")).unwrap();
+        sandbox.rename("data/images/0001.png", "other.png");
         if link {
             std::os::unix::fs::symlink("../../other.png", sandbox.path("data/images/0001.png"))
                 .unwrap();
@@ -163,9 +162,10 @@ fn files_outside_the_data_sets_folder_are_read_where_that_is_allowed() {
         }
         sandbox.assert_refuses(TRAIN, &facts);
         sandbox.assert_refuses("eval scene.safetensors data --backend cpu", &facts);
-        let outcome = sandbox.run(&allow).assert_ok();
-        assert!(outcome.stderr.contains("read outside the data set's folder"), "{outcome:?}");
-        assert!(outcome.stderr.contains("1 file, the first is "), "{outcome:?}");
+        sandbox
+            .run(&allow)
+            .assert_ok()
+            .says(&["read outside the data set's folder", "1 file, the first is "]);
         // the run's own settings allow it
         sandbox.run("train --resume run --backend cpu").assert_ok();
         sandbox
@@ -177,14 +177,14 @@ fn files_outside_the_data_sets_folder_are_read_where_that_is_allowed() {
 #[test]
 fn no_text_of_a_file_that_a_data_set_names_is_shown() {
     let sandbox = data();
-    fs::write(sandbox.path("data/secret"), "root:hunter2:0:0\nply hunter2\n").unwrap();
+    sandbox.write("data/secret", "root:hunter2:0:0\nply hunter2\n");
     let mut file = sandbox.read_json("data/transforms.json");
     for (points, facts) in [
         ("/etc/passwd", ["/etc/passwd", "--allow-outside"]),
         ("secret", ["secret", "not a whole PLY file"]),
     ] {
         file["ply_file_path"] = json!(points);
-        fs::write(sandbox.path("data/transforms.json"), file.to_string()).unwrap();
+        sandbox.write("data/transforms.json", file.to_string());
         for more in ["", "--allow-outside"] {
             let outcome = sandbox.run(&format!("{TRAIN} {more}"));
             outcome.assert_refused(if more.is_empty() { &facts[..] } else { &facts[..1] });
@@ -200,12 +200,11 @@ fn no_text_of_a_file_that_a_data_set_names_is_shown() {
 fn logs_are_read_line_by_line() {
     let sandbox = sandbox();
     sandbox.run("train views --config tiny.toml --steps 2 --backend cpu -o run").assert_ok();
-    let path = sandbox.path("run/metrics.jsonl");
-    let log = fs::read(&path).unwrap();
-    fs::write(&path, [log.as_slice(), &[b'\n'; 60 << 20]].concat()).unwrap();
+    let log = sandbox.read("run/metrics.jsonl");
+    sandbox.write("run/metrics.jsonl", [log.as_slice(), &[b'\n'; 60 << 20]].concat());
     let script = "ulimit -v 900000; \"$ORGANZA\" train --resume run --backend cpu";
     sandbox.shell(script).assert_ok();
-    assert!(fs::metadata(path).unwrap().len() < 2 * log.len() as u64);
+    assert!(sandbox.read("run/metrics.jsonl").len() < 2 * log.len());
 }
 
 #[test]

@@ -1,7 +1,5 @@
 //! Trainings that are not possible are refused with one message, and leave no files.
 
-use std::fs;
-
 use serde_json::json;
 
 use super::runs::{TINY, photographs, sandbox};
@@ -9,8 +7,7 @@ use super::runs::{TINY, photographs, sandbox};
 #[test]
 fn bad_requests() {
     let sandbox = sandbox();
-    fs::create_dir(sandbox.path("old")).unwrap();
-    fs::write(sandbox.path("old/config.toml"), "").unwrap();
+    sandbox.write("old/config.toml", "");
     for (words, facts) in [
         ("absent -o new", ["absent", "no such file"]),
         (". -o deep/new", ["no data set", "transforms.json"]),
@@ -55,7 +52,7 @@ fn data_without_training_frames_is_refused() {
     // the only frame is held out
     sandbox.edit_json("data/transforms.json", "/frames", json!([frame["frames"][0]]));
     sandbox.assert_refuses(train, &["data", "held out", "none is left to train on"]);
-    fs::write(sandbox.path("data/images/0000.png"), "no picture").unwrap();
+    sandbox.write("data/images/0000.png", "no picture");
     sandbox.assert_refuses(&format!("{train} --hold-out-every 0"), &["0000.png"]);
 }
 
@@ -76,8 +73,8 @@ fn divergence_is_refused_and_keeps_the_checkpoint() {
             });
         }
     });
-    let before = fs::read(sandbox.path(name)).unwrap();
+    let before = sandbox.read(name);
     let outcome = sandbox.run("train --resume run --backend cpu");
     outcome.assert_refused(&["lower the learning rates"]);
-    assert!(fs::read(sandbox.path(name)).unwrap() == before, "the checkpoint has changed");
+    assert!(sandbox.read(name) == before, "the checkpoint has changed");
 }

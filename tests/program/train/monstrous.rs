@@ -1,7 +1,6 @@
 //! Settings of any size: too large ones are refused within a second, with the memory needed and the memory available.
 #![cfg(target_os = "linux")]
 
-use std::fs;
 use std::time::{Duration, Instant};
 
 use super::runs::{photographs, sandbox};
@@ -56,7 +55,7 @@ fn monstrous_settings_are_refused_at_once() {
         ("[run]\nsteps = 99999999999999999999", ["line 2", ""]),
     ] {
         // sizes that a file leaves out have their defaults
-        fs::write(sandbox.path("monster.toml"), settings).unwrap();
+        sandbox.write("monster.toml", settings);
         let before = sandbox.files();
         let start = Instant::now();
         let words = "train --config monster.toml --backend cpu -o new";

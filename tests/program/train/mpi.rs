@@ -89,8 +89,7 @@ fn a_killed_rank_ends_all_and_another_number_goes_on() {
 #[ignore = "scripts/mpi.sh runs it"]
 fn a_rank_that_fails_says_why() {
     let sandbox = sandbox();
-    fs::create_dir(sandbox.path("run")).unwrap();
-    fs::write(sandbox.path("run/config.toml"), "mine").unwrap();
+    sandbox.write("run/config.toml", "mine");
     let command = mpirun(&sandbox, &[(2, &format!("{TINY} run"))]);
     assert_fails(command, &["rank 0: ", "the folder already holds a run"]);
 }

@@ -1,7 +1,5 @@
 //! Data sets in any units, anywhere: scenes have coordinates of their own.
 
-use std::fs;
-
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use organza::image::to_8_bit;
@@ -28,7 +26,7 @@ fn move_world(sandbox: &Sandbox, scale: f64, offset: [f64; 3], is_turned: bool) 
             }
         }
     }
-    fs::write(sandbox.path("views/transforms.json"), file.to_string()).unwrap();
+    sandbox.write("views/transforms.json", file.to_string());
 }
 
 #[test]
@@ -113,13 +111,11 @@ fn exported_gaussians_come_back_to_their_photographs() {
     {
         let text = export(if index % 2 == 0 { "scene" } else { "meters" }, file);
         assert!(text.contains("as it says itself") && text.contains("back to a scene"), "{text}");
-        let outcome = start(file, &format!("run-{index}")).assert_ok();
-        assert!(!outcome.stderr.contains("Gaussians are"), "{outcome:?}");
+        start(file, &format!("run-{index}")).assert_ok().says_not(&["Gaussians are"]);
         assert_placed(&format!("run-{index}/{CHECKPOINT}"));
     }
     let words = "import a.glb views -o back.safetensors --steps 1 --side 16 --backend cpu";
-    let outcome = sandbox.run(words).assert_ok();
-    assert!(!outcome.stderr.contains("warning"), "{outcome:?}");
+    sandbox.run(words).assert_ok().says_not(&["warning"]);
     assert_placed("back.safetensors");
     sandbox.run("import a.ply -o around.safetensors --steps 1 --side 16 --backend cpu").assert_ok();
     assert_placed("around.safetensors");
@@ -174,8 +170,7 @@ fn photographs_tell_the_axes_of_a_file() {
     }
     scene("small", Some("show something else where its Gaussians are"));
     let words = "import turned.spz views -o back.safetensors --steps 1 --side 16 --backend cpu";
-    let outcome = sandbox.run(words).assert_ok();
-    assert!(outcome.stderr.contains("become x, -y, -z"), "{outcome:?}");
+    sandbox.run(words).assert_ok().says(&["become x, -y, -z"]);
 }
 
 /// What goes in and comes out has the coordinates of the data set.
@@ -197,8 +192,7 @@ fn commands_speak_of_the_world() {
     let depth = "--channels depth --format exr --backend cpu --views 1";
     sandbox.run(&format!("render run -o by-run {depth}")).assert_ok();
     sandbox.run(&format!("render run run/cameras.json -o by-file {depth}")).assert_ok();
-    let file = |name: &str| fs::read(sandbox.path(name)).unwrap();
-    assert!(file("by-run/view-001.png") == file("by-file/view-001.png"));
+    assert!(sandbox.read("by-run/view-001.png") == sandbox.read("by-file/view-001.png"));
     let scene = Scene::load(sandbox.path("run").join(CHECKPOINT)).unwrap();
     let placement = scene.config.placement;
     let center = placement.world([0.0; 3]);

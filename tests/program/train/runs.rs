@@ -35,10 +35,9 @@ pub const SIDE: u32 = 32;
 /// A sandbox that has `tiny.toml`, and photographs in `views`.
 pub fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new("tiny");
-    fs::write(sandbox.path("tiny.toml"), include_str!("tiny.toml")).unwrap();
-    fs::create_dir(sandbox.path("views")).unwrap();
+    sandbox.write("tiny.toml", include_str!("tiny.toml"));
     for (name, content) in views() {
-        fs::write(sandbox.path("views").join(name), content).unwrap();
+        sandbox.write(&format!("views/{name}"), content);
     }
     sandbox
 }
@@ -73,14 +72,12 @@ pub fn add_views(sandbox: &Sandbox, count: u32) {
     for index in VIEWS..count {
         let mut frame = frames[(index % VIEWS) as usize].clone();
         let name = frame["file_path"].as_str().expect("a name").to_owned();
-        let from = name;
         let to = format!("view-{index:03}");
-        let file = |name: &str| sandbox.path(&format!("views/{name}.png"));
-        fs::copy(file(&from), file(&to)).unwrap();
+        sandbox.copy_file(&format!("views/{name}.png"), &format!("views/{to}.png"));
         frame["file_path"] = to.into();
         frames.push(frame);
     }
-    fs::write(sandbox.path("views/transforms.json"), json.to_string()).unwrap();
+    sandbox.write("views/transforms.json", json.to_string());
 }
 
 /// The photographs of [`sandbox`], read with a run's settings.
@@ -166,7 +163,7 @@ pub fn state_bits(state: &Checkpoint) -> Vec<Vec<u32>> {
 /// Writes photographs of a case's scene to the folder `data`, at full size.
 pub fn photographs(sandbox: &Sandbox) {
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
-    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+    sandbox.copy_file("cameras.json", "data/transforms.json");
 }
 
 /// Shape and bits of each tensor in a run's checkpoint: the scene, Adam's moments, and statistics for densification.

@@ -62,8 +62,7 @@ fn a_signal_while_measuring_saves_and_stops() {
         text.contains("\"kind\":\"step\"")
     });
     signal(&child, "TERM");
-    let outcome = end(child).assert_ok();
-    assert!(outcome.stderr.contains("saved; `organza train --resume run`"), "{outcome:?}");
+    end(child).assert_ok().says(&["saved; `organza train --resume run`"]);
     assert!(sandbox.path("run/checkpoint.safetensors").exists());
     assert!(!sandbox.path("run/.organza-lock").exists());
 }

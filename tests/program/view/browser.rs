@@ -6,7 +6,7 @@ use image::RgbImage;
 use serde_json::{Value, json};
 
 use super::chromium::{Page, base64, program};
-use super::client::{Viewer, pixels};
+use super::client::{VIEW, Viewer, pixels};
 use crate::sandbox::Sandbox;
 use crate::train::runs::{TINY, sandbox};
 
@@ -31,7 +31,7 @@ fn middle(page: &mut Page) -> [f64; 2] {
 /// The output of `render` for the camera of the page.
 fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value) -> RgbImage {
     let file = viewer.post("/cameras.json", &json!([camera])).ok();
-    fs::write(sandbox.path("shown.json"), file.body).unwrap();
+    sandbox.write("shown.json", file.body);
     sandbox.run("render scene.safetensors shown.json -o shown --backend cpu").assert_ok();
     pixels(&fs::read(sandbox.path("shown/0000.png")).expect("an image"))
 }
@@ -41,7 +41,7 @@ fn a_scene_in_a_browser() {
     let Some(program) = program() else { return };
     let sandbox = Sandbox::new("basic");
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
-    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+    sandbox.copy_file("cameras.json", "data/transforms.json");
     let viewer = Viewer::start(
         &sandbox,
         "view scene.safetensors data/transforms.json --port 0 --backend cpu",
@@ -85,7 +85,7 @@ fn a_scene_in_a_browser() {
     let answer = page.eval("organza.explain.answer");
     let pixel = answer["pixel"].clone();
     let file = viewer.post("/cameras.json", &json!([closer])).ok();
-    fs::write(sandbox.path("shown.json"), file.body).unwrap();
+    sandbox.write("shown.json", file.body);
     let words =
         format!("explain scene.safetensors shown.json --pixel {},{} --json", pixel[0], pixel[1]);
     let expected = sandbox.run(&words).json();
@@ -129,7 +129,7 @@ fn a_scene_in_a_browser() {
         (blob) => { saved = blob; return make(blob); }; await organza.keyframes.save(); \
         URL.createObjectURL = make; return saved.text(); })()";
     let saved = page.eval(save);
-    fs::write(sandbox.path("keyframes.json"), saved.as_str().expect("a file")).unwrap();
+    sandbox.write("keyframes.json", saved.as_str().expect("a file"));
     sandbox.run("info keyframes.json").assert_ok();
     page.eval("organza.keyframes.list = []; organza.keyframes.changed()");
     page.eval(&format!("organza.keyframes.load({saved})"));
@@ -216,8 +216,7 @@ fn a_training_in_a_browser() {
 fn a_scene_is_edited_in_a_browser() {
     let Some(program) = program() else { return };
     let sandbox = Sandbox::new("basic");
-    let words = "view scene.safetensors cameras.json --port 0 --backend cpu --edit cut.safetensors";
-    let viewer = Viewer::start(&sandbox, words);
+    let viewer = Viewer::start(&sandbox, &format!("{VIEW} --edit cut.safetensors"));
     let mut page = Page::open(program, &viewer.url(), [700, 640]);
     page.wait(REST);
     page.wait("organza.edit.answer");
@@ -333,7 +332,7 @@ fn a_scene_is_edited_in_a_browser() {
     let saved = organza::Scene::load(sandbox.path("cut.safetensors")).unwrap();
     let meters = saved.config.placement.meters.expect("meters");
     assert!((meters * expected / 0.25 - 1.0).abs() < 1e-6, "{meters}");
-    fs::rename(sandbox.path("cut.safetensors"), sandbox.path("scene.safetensors")).unwrap();
+    sandbox.rename("cut.safetensors", "scene.safetensors");
     assert!(
         painted == rendered(&sandbox, &viewer, &camera),
         "what was saved is not what was shown"

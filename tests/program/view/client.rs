@@ -13,6 +13,9 @@ use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
 
+/// Serves a sandbox's scene.
+pub const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu";
+
 /// A program that serves a page. It ends with the test.
 pub struct Viewer {
     pub child: Child,

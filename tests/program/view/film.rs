@@ -1,15 +1,13 @@
 //! Films of the page must equal `organza film`'s.
 
 use std::io::Write;
+use std::thread;
 use std::time::{Duration, Instant};
-use std::{fs, thread};
 
 use serde_json::{Value, json};
 
-use super::client::{Reply, Viewer};
+use super::client::{Reply, VIEW, Viewer};
 use crate::sandbox::Sandbox;
-
-const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu";
 
 /// Requests a film. An HTTP/1.0 answer comes in one piece.
 fn film(viewer: &Viewer, request: &Value) -> Reply {
@@ -34,10 +32,10 @@ fn a_film_of_keyframes_is_the_commands() {
     let viewer = Viewer::start(&sandbox, VIEW);
     let keyframes = keyframes(&viewer);
     let file = viewer.post("/cameras.json", &keyframes).ok();
-    fs::write(sandbox.path("keyframes.json"), &file.body).unwrap();
+    sandbox.write("keyframes.json", &file.body);
     let words = "film scene.safetensors keyframes.json -o film.png --loop --frames 5 --fps 12 --backend cpu";
     sandbox.run(words).assert_ok();
-    let expected = fs::read(sandbox.path("film.png")).unwrap();
+    let expected = sandbox.read("film.png");
 
     let mut body = &film(&viewer, &request(&keyframes, 5)).ok().body[..];
     let mut lines = Vec::new();

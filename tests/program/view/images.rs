@@ -1,7 +1,5 @@
 //! Images and numbers of the page must equal other commands'.
 
-use std::fs;
-
 use organza::scene::{Contraction, SceneConfig};
 use organza::{Camera, Scene};
 use serde_json::{Value, json};
@@ -126,7 +124,7 @@ fn assert_explained(case: &str) {
 fn every_mode_has_an_image_and_errors_need_a_photograph() {
     let sandbox = Sandbox::new("tiny");
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
-    fs::copy(sandbox.path("cameras.json"), sandbox.path("data/transforms.json")).unwrap();
+    sandbox.copy_file("cameras.json", "data/transforms.json");
     let viewer = Viewer::start(&sandbox, "view scene.safetensors data --port 0 --backend cpu");
     let scene = viewer.scene();
     let camera = &scene["views"][1]["camera"];
@@ -159,7 +157,7 @@ fn keyframes_are_files_that_every_command_reads() {
     let keyframes: Value =
         views.as_array().unwrap().iter().map(|view| view["camera"].clone()).collect();
     let file = viewer.post("/cameras.json", &keyframes).ok();
-    fs::write(sandbox.path("keyframes.json"), &file.body).unwrap();
+    sandbox.write("keyframes.json", &file.body);
     let without_paths = |name: &str| -> Vec<Camera> {
         let cameras = Camera::load_all(sandbox.path(name)).expect("cameras");
         let bare = |camera| Camera { file_path: None, distorted: false, ..camera };

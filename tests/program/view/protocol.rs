@@ -1,19 +1,15 @@
 //! Foreign, broken, slow, numerous and vanishing clients; occupied ports; signals.
 
-use std::fs;
 use std::io::{Read, Write};
 use std::net::{TcpListener, TcpStream, UdpSocket};
-
 use std::thread;
 use std::time::{Duration, Instant};
 
 use serde_json::json;
 
-use super::client::{Viewer, pixels};
+use super::client::{VIEW, Viewer, pixels};
 use crate::sandbox::Sandbox;
 use crate::train::processes::{signal, wait_for_end};
-
-const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu";
 
 #[test]
 fn pages_of_others_are_refused() {
@@ -58,10 +54,9 @@ fn a_page_that_renders_by_itself_is_given_out() {
     let sandbox = Sandbox::new("tiny");
     let mut viewer = Viewer::start(&sandbox, &format!("{VIEW} --client"));
     sandbox.run("export-web scene.safetensors cameras.json -o page --full-grids").assert_ok();
-    let page = fs::read_to_string(sandbox.path("page/index.html")).expect("a page");
-    assert_eq!(String::from_utf8(viewer.get("/").ok().body).expect("text"), page);
+    assert!(viewer.get("/").ok().body == sandbox.read("page/index.html"));
     let script = viewer.get("/page.js").ok();
-    assert_eq!(script.body, fs::read(sandbox.path("page/page.js")).expect("a script"));
+    assert_eq!(script.body, sandbox.read("page/page.js"));
     assert!(script.headers.contains("content-type: text/javascript"), "{}", script.headers);
     assert!(viewer.get("/scene.js").ok().body.starts_with(b"const ORGANZA_SCENE = "));
     // other addresses and other clients get nothing
@@ -247,7 +242,7 @@ fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
         let clients: Vec<_> = clients.collect();
         clients.into_iter().map(|client| client.join().expect("an image")).collect::<Vec<_>>()
     });
-    let expected = std::fs::read(sandbox.path(&format!("images/{last:04}.png"))).unwrap();
+    let expected = sandbox.read(&format!("images/{last:04}.png"));
     let expected = pixels(&expected);
     assert!(images.iter().all(|image| pixels(image) == expected));
 }
@@ -339,15 +334,14 @@ fn clients_without_the_token_make_room() {
 #[test]
 fn a_scene_is_edited_only_where_that_is_allowed() {
     let sandbox = Sandbox::new("basic");
-    let view = "view scene.safetensors cameras.json --port 0 --backend cpu";
-    let viewer = Viewer::start(&sandbox, view);
+    let viewer = Viewer::start(&sandbox, VIEW);
     let refused = viewer.post("/edit", &json!("undo"));
     assert_eq!((refused.status, viewer.scene()["purpose"].as_str()), (422, Some("look")));
     drop(viewer);
-    sandbox.assert_refuses(&format!("{view} --edit scene.safetensors"), &["exists", "replaces"]);
-    sandbox.assert_refuses(&format!("{view} --edit no/cut.safetensors"), &["no/cut.safetensors"]);
+    sandbox.assert_refuses(&format!("{VIEW} --edit scene.safetensors"), &["exists", "replaces"]);
+    sandbox.assert_refuses(&format!("{VIEW} --edit no/cut.safetensors"), &["no/cut.safetensors"]);
 
-    let viewer = Viewer::start(&sandbox, &format!("{view} --edit cut.safetensors"));
+    let viewer = Viewer::start(&sandbox, &format!("{VIEW} --edit cut.safetensors"));
     assert_eq!(viewer.scene()["purpose"], "edit");
     let all = viewer.post("/edit", &json!("look")).json()["left"].as_u64().unwrap();
     let camera = viewer.scene()["home"].clone();
@@ -376,6 +370,5 @@ fn a_scene_is_edited_only_where_that_is_allowed() {
     assert_eq!(saved(&viewer), "cut.safetensors");
     std::os::unix::fs::symlink("/dev/null", sandbox.path("cut-2.safetensors")).unwrap();
     assert_eq!(saved(&viewer), "cut-3.safetensors");
-    let read = |name: &str| std::fs::read(sandbox.path(name)).unwrap();
-    assert_eq!(read("cut.safetensors"), read("cut-3.safetensors"));
+    assert_eq!(sandbox.read("cut.safetensors"), sandbox.read("cut-3.safetensors"));
 }

@@ -1,6 +1,5 @@
 //! `organza export-web`: the page in a browser, compared with the program's images.
 
-use std::fs;
 use std::path::Path;
 
 use glam::DVec3;
@@ -266,8 +265,7 @@ fn a_page_renders_by_itself() {
     let Some(program) = program() else { return };
     let (sandbox, [scene, outside], cameras) = sandbox();
     let words = "export-web thin.safetensors near.json -o page --size 160x128 --backend cpu";
-    let note = sandbox.run(words).assert_ok().stderr;
-    assert!(note.contains("open page/index.html in a browser"), "{note}");
+    sandbox.run(words).assert_ok().says(&["open page/index.html in a browser"]);
     let folder = url(&sandbox.path("page/index.html"));
     let mut page = Page::open_with_webgpu(program, &folder, WINDOW);
     page.wait(AT_REST);
@@ -343,22 +341,20 @@ fn a_page_that_was_copied_in_part_says_so() {
         let message = message.as_str().expect("a message");
         assert!(message.contains(file) && message.contains("copy the whole folder"), "{message}");
     };
-    let scene = sandbox.path("page/scene.js");
-    let whole = fs::read_to_string(&scene).unwrap();
-    fs::write(&scene, &whole[..whole.len() / 2]).unwrap();
+    let whole = sandbox.text("page/scene.js");
+    sandbox.write("page/scene.js", &whole[..whole.len() / 2]);
     assert_says("scene.js");
-    fs::remove_file(&scene).unwrap();
+    sandbox.remove("page/scene.js");
     assert_says("scene.js");
-    fs::write(&scene, whole).unwrap();
-    fs::remove_file(sandbox.path("page/page.js")).unwrap();
+    sandbox.write("page/scene.js", whole);
+    sandbox.remove("page/page.js");
     assert_says("page.js");
 }
 
 #[test]
 fn a_page_replaces_no_other() {
     let sandbox = Sandbox::new("tiny");
-    fs::create_dir(sandbox.path("site")).unwrap();
-    fs::write(sandbox.path("site/index.html"), "<h1>mine</h1>").unwrap();
+    sandbox.write("site/index.html", "<h1>mine</h1>");
     sandbox.run("export-web scene.safetensors -o site").assert_refused(&[
         "site",
         "index.html",
@@ -367,8 +363,7 @@ fn a_page_replaces_no_other() {
     sandbox
         .run("export-web scene.safetensors -o scene.safetensors --single-file")
         .assert_refused(&["would replace the input"]);
-    fs::create_dir(sandbox.path("run")).unwrap();
-    fs::write(sandbox.path("run/config.toml"), "").unwrap();
+    sandbox.write("run/config.toml", "");
     sandbox
         .run("export-web scene.safetensors -o run")
         .assert_refused(&["run holds a training run", "choose another folder"]);
@@ -393,8 +388,7 @@ fn a_page_replaces_no_other() {
 #[test]
 fn a_gallery_leads_to_its_pages() {
     let sandbox = Sandbox::new("tiny");
-    fs::create_dir(sandbox.path("other")).unwrap();
-    fs::copy(sandbox.path("scene.safetensors"), sandbox.path("other/scene.safetensors")).unwrap();
+    sandbox.copy_file("scene.safetensors", "other/scene.safetensors");
     let scenes = "scene.safetensors other/scene.safetensors";
     let words = format!("export-web --gallery {scenes} -o site --size 64x48 --title Mine");
     sandbox.run(&words).assert_ok();

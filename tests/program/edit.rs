@@ -1,5 +1,9 @@
 //! `organza edit`: which Gaussians go and stay, and how the pictures change.
 
+use std::collections::HashSet;
+
+use glam::DVec3;
+use organza::scene::Gaussians;
 use organza::{Camera, Scene};
 use organza_tests::cases;
 use serde_json::Value;
@@ -129,11 +133,65 @@ fn haze_before_a_camera_goes() {
     assert!(edited.gaussians.len() + 3 >= before.gaussians.len(), "{report}");
 }
 
+/// Number of floaters that [`plant_floaters`] plants.
+const FLOATERS: usize = 200;
+
+/// Plants floaters in the air before cameras all around the built-in scene, whose photographs are in `demo`. Returns all
+/// Gaussians of `planted.safetensors`; the floaters are the last ones.
+pub fn plant_floaters(sandbox: &Sandbox) -> Gaussians {
+    sandbox.run("demo -o demo --views 24 --size 64 --backend cpu").assert_ok();
+    fs::copy(sandbox.path("demo/scene.safetensors"), sandbox.path("scene.safetensors")).unwrap();
+    let mut cameras = organza::demo::turntable(24, 64);
+    for (index, camera) in cameras.iter_mut().enumerate() {
+        camera.file_path = Some(format!("{index:04}.png"));
+    }
+    Camera::save_all(sandbox.path("demo/transforms.json"), &cameras).expect("cameras");
+    plant(sandbox, FLOATERS, |i, scene| {
+        // evenly over the images, and over a tenth to six tenths of the way
+        let part = |step: f64| (i as f64 * step).fract();
+        let camera = &cameras[i % cameras.len()];
+        let [right, down, forward] = camera.axes();
+        let eye = DVec3::from(camera.eye());
+        let far = (0.1 + 0.5 * part(0.437)) * eye.length();
+        let [x, y] = [part(0.7549), part(0.5698)].map(|at| (at - 0.5) * 0.8 * 64.0 / camera.fl_x);
+        let place = eye + far * (forward + x * right + y * down);
+        scene.gaussians.position[i] = place.to_array().map(|x| x as f32);
+        scene.gaussians.log_scale[i] = [-3.2, -3.0, -2.8];
+        scene.gaussians.opacity[i] = -0.8 + 4.0 * part(0.618) as f32;
+    });
+    Scene::load(sandbox.path("planted.safetensors")).expect("a scene").gaussians
+}
+
+/// Planted floaters go, the scene stays, and photographs that are held out look better.
+#[test]
+fn planted_floaters_go() {
+    let sandbox = Sandbox::new("tiny");
+    let all = plant_floaters(&sandbox);
+    let old = all.len() - FLOATERS;
+    for strength in ["0", "0.5", "0.6"] {
+        let words = format!("planted.safetensors demo --clean {strength} --split train");
+        let (report, edited) = edit(&sandbox, &words);
+        if strength == "0" {
+            assert_eq!(edited.gaussians, all, "{report}");
+            continue;
+        }
+        let bits = |place: &[f32; 3]| place.map(f32::to_bits);
+        let places: HashSet<_> = edited.gaussians.position.iter().map(bits).collect();
+        let is_left = |i: &usize| places.contains(&bits(&all.position[*i]));
+        let lost = old - (0..old).filter(is_left).count();
+        let floaters = (old..all.len()).filter(is_left).count();
+        assert!(floaters * 20 <= FLOATERS && lost * 100 < old, "{floaters}, {lost}: {report}");
+        assert_eq!(report["removed"][0]["rule"], format!("floaters, strength {strength}"));
+        let psnr = |key: &str| report[key].as_f64().expect("a number");
+        assert!(psnr("psnr") > psnr("psnr_before") + 5.0, "{report}");
+    }
+}
+
 #[test]
 fn a_run_is_edited_and_every_command_takes_the_result() {
     let sandbox = runs::sandbox();
     sandbox.run(&format!("{TINY} run --hold-out-every 3")).assert_ok();
-    let words = "run --min-contribution --haze --keep-largest";
+    let words = "run --min-contribution --haze --clean 0.1 --keep-largest";
     let (report, _) = edit(&sandbox, words);
     crate::flags::assert_documented("edit", std::slice::from_ref(&report));
     let eval = |scene: &str| -> f64 {
@@ -170,6 +228,8 @@ fn bad_options_are_refused() {
         ("--sphere 0,0,0,-1", &["--sphere", "radius"]),
         ("--keep-largest=0", &["--keep-largest", "0.001"]),
         ("--haze=0", &["--haze", "1 or more"]),
+        ("--clean 1.5", &["--clean", "0 to 1"]),
+        ("--clean 0.5", &["scene.safetensors", "name the data set"]),
         ("--min-contribution=-1", &["--min-contribution", "0 or more"]),
         ("--min-contribution", &["scene.safetensors", "name the data set"]),
         ("--sphere 900,0,0,1", &["nothing would be left", "outside the ball", "1 Gaussian"]),

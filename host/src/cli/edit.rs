@@ -24,14 +24,15 @@ const HAZE: f64 = 0.9;
 const EXAMPLES: &str = "\
 Examples:
   organza edit run -o small.safetensors --min-contribution      without what no photograph shows
-  organza edit run -o clean.safetensors --haze --keep-largest
+  organza edit run -o clean.safetensors --clean 0.3               without floaters; view --edit shows each strength
+  organza edit run -o clear.safetensors --haze --keep-largest
   organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
   organza edit run -o rest.safetensors --sphere 0,0,1,0.5 --outside
   organza edit scene.safetensors data/fox -o small.safetensors --min-contribution=0.5
   organza edit run -o in-meters.safetensors --measured 0,0,0,1.2,0,0.4,0.25    two points, 25 cm apart
 
-The rules apply in this order: box and sphere, contribution, haze, cluster. Contribution and haze are measured once, in \
-the scene that box and sphere have left. \
+The rules apply in this order: box and sphere, contribution, haze, floaters, cluster. Contribution, haze and floaters are \
+measured once, in the scene that box and sphere have left. \
 The result is a scene's file, for every command that takes a scene.";
 
 /// Remove Gaussians from a scene: crop it, clean it, make it smaller; or give it a scale
@@ -65,6 +66,9 @@ pub struct Args {
     #[arg(long, value_name = "VIEWS", num_args = 0..=1, require_equals = true)]
     #[arg(value_parser = number_in(1.0.., "a number of views, 1 or more"))]
     haze: Option<Option<f64>>,
+    /// Remove floaters: what few views support. A strength from 0, which removes nothing, to 1; 0.3 is a start
+    #[arg(long, value_name = "STRENGTH", value_parser = number_in(0.0..=1.0, "a number from 0 to 1"))]
+    clean: Option<f64>,
     /// Keep only the largest cluster of Gaussians that are close to each other: within about REACH standard deviations of
     /// the larger one [default: 2]
     #[arg(long, value_name = "REACH", num_args = 0..=1, require_equals = true)]
@@ -114,6 +118,8 @@ fn parse_measured(text: &str) -> Result<f64, String> {
 struct Removed {
     rule: String,
     gaussians: usize,
+    /// Their share of the views' pixels, 0 to 1, if that was measured.
+    weight: Option<f64>,
 }
 
 /// The output of `--json`.
@@ -138,7 +144,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     // before any view is rendered, so that a box beside the scene costs no time
     let mut edited = scene.clone();
     let mut removed = args.crop(&mut edited)?;
-    let cameras = match args.min_contribution.is_some() || args.haze.is_some() {
+    let cameras = match args.min_contribution.is_some() || args.looks_at_surfaces() {
         true => Cameras::load(&source, args.data.as_deref(), &args.data_args, USAGE, console)?.list,
         false => Vec::new(),
     };
@@ -174,16 +180,21 @@ impl Args {
         if self.outside && !has_region {
             return refuse("`--outside` needs `--box` or `--sphere`");
         }
-        let has_rule =
-            self.min_contribution.is_some() || self.haze.is_some() || self.keep_largest.is_some();
+        let has_rule = self.min_contribution.is_some()
+            || self.looks_at_surfaces()
+            || self.keep_largest.is_some();
         let has_scale = self.scale.is_some() || self.measured.is_some();
         if has_region || has_rule || has_scale {
             return Ok(());
         }
         refuse(
-            "there is nothing to do: give `--box`, `--sphere`, `--min-contribution`, `--haze`, `--keep-largest`, \
-             `--scale` or `--measured`",
+            "there is nothing to do: give `--box`, `--sphere`, `--min-contribution`, `--haze`, `--clean`, \
+             `--keep-largest`, `--scale` or `--measured`",
         )
+    }
+
+    fn looks_at_surfaces(&self) -> bool {
+        self.haze.is_some() || self.clean.is_some()
     }
 
     /// Box and sphere, in the scene's coordinates.
@@ -236,27 +247,36 @@ impl Args {
         let mut found = Contributions::new(scene.gaussians.len());
         let bar = console.progress("measuring what Gaussians contribute", cameras.len(), "views");
         for (done, camera) in cameras.iter().enumerate() {
-            renderer.add_contributions(&uploaded, camera, self.haze.is_some(), &mut found)?;
+            renderer.add_contributions(&uploaded, camera, self.looks_at_surfaces(), &mut found)?;
             bar.set_of(done + 1, cameras.len());
         }
         drop(bar);
-        // indices of the Gaussians that are left
-        let mut left: Vec<_> = (0..scene.gaussians.len()).collect();
+        let mut rules = Vec::new();
         if let Some(min) = self.min_contribution {
             // a Gaussian that contributes NaN is visible, so it stays
-            let is_removed = |i: usize| found.pixels(i) <= min;
+            let is_removed = (0..scene.gaussians.len()).map(|i| found.pixels(i) <= min);
             let rule = match min {
                 0.0 => "in no view".to_owned(),
                 min => format!("{min} pixels or less in all views"),
             };
-            removed.push(keep(scene, rule, |i, _| !is_removed(i))?);
-            left.retain(|&i| !is_removed(i));
+            rules.push((rule, is_removed.collect::<Vec<_>>()));
         }
         if let Some(max) = self.haze {
             let max = max.unwrap_or_else(|| (0.1 * cameras.len() as f64).round().max(3.0));
-            let is_haze = |i: usize| found.in_front(i) >= HAZE && found.views(i) <= max;
-            let rule = format!("haze, seen by {max} views or fewer");
-            removed.push(keep(scene, rule, |i, _| !is_haze(left[i]))?);
+            let is_haze = |i| found.in_front(i) >= HAZE && found.views(i) <= max;
+            let is_removed = (0..scene.gaussians.len()).map(is_haze);
+            rules.push((format!("haze, seen by {max} views or fewer"), is_removed.collect()));
+        }
+        if let Some(strength) = self.clean {
+            rules.push((format!("floaters, strength {strength}"), found.floaters(strength)));
+        }
+        // indices of the Gaussians that are left
+        let mut left: Vec<_> = (0..scene.gaussians.len()).collect();
+        for (rule, is_removed) in rules {
+            let weight = found.weight(left.iter().copied().filter(|&i| is_removed[i]));
+            let kept = keep(scene, rule, |i, _| !is_removed[left[i]])?;
+            removed.push(Removed { weight: Some(weight), ..kept });
+            left.retain(|&i| !is_removed[i]);
         }
         Ok(())
     }
@@ -275,7 +295,7 @@ fn keep(
         return refuse(format!("nothing would be left: the rule `{rule}` removes all {all}"));
     }
     scene.gaussians = scene.gaussians.select(&kept);
-    Ok(Removed { rule, gaussians: before - kept.len() })
+    Ok(Removed { rule, gaussians: before - kept.len(), weight: None })
 }
 
 /// The held-out photographs, if there are any.
@@ -318,15 +338,17 @@ fn held_out_psnr(
 }
 
 fn text(report: &Report) -> String {
-    let mut table = Table::new(1, ["", "Gaussians"]);
-    let mut row = |name: &str, sign: &str, gaussians: usize| {
-        table.row([name.to_owned(), format!("{sign}{}", grouped(gaussians as u64))]);
+    let mut table = Table::new(1, ["", "Gaussians", "of the views"]);
+    let mut row = |name: &str, gaussians: String, weight: Option<f64>| {
+        let weight = weight.map(|weight| format!("{:.2}%", 100.0 * weight));
+        table.row([name.to_owned(), gaussians, weight.unwrap_or_default()]);
     };
-    row("before", "", report.gaussians_before);
-    for removed in &report.removed {
-        row(&removed.rule, if removed.gaussians > 0 { "-" } else { "" }, removed.gaussians);
+    row("before", grouped(report.gaussians_before as u64), None);
+    for Removed { rule, gaussians, weight } in &report.removed {
+        let sign = if *gaussians > 0 { "-" } else { "" };
+        row(rule, format!("{sign}{}", grouped(*gaussians as u64)), *weight);
     }
-    row("after", "", report.gaussians);
+    row("after", grouped(report.gaussians as u64), None);
     let mut text = table.to_string();
     if let (Some(before), Some(after)) = (report.psnr_before, report.psnr) {
         let change = after - before;

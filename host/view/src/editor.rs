@@ -15,7 +15,7 @@ use organza_core::error::refuse;
 use organza_core::image::{ChannelImage, TILE_SIDE};
 use organza_core::scene::{Gaussians, Scene};
 use organza_core::{Camera, Channel, Result, TileBatch, check_writable};
-use organza_render::{DeviceScene, UploadOptions};
+use organza_render::{Contributions, DeviceScene, UploadOptions};
 
 /// Most places of selected Gaussians in an answer.
 const MAX_PLACES: usize = 4000;
@@ -40,6 +40,10 @@ pub enum EditRequest {
     Remove,
     /// Removes what is inside a box, or outside.
     Crop(Crop),
+    /// Hides what few views support, with a strength of 0 to 1, in place of what it has hidden before.
+    Clean(f64),
+    /// Removes what is hidden.
+    Keep,
     /// Says how many meters one world unit has.
     Meters(f64),
     /// Takes back the last removal.
@@ -90,7 +94,30 @@ struct Answer {
     /// Places of selected Gaussians; some of them if there are many.
     places: Vec<[f32; 3]>,
     removals: usize,
+    clean: Clean,
     saved: Option<String>,
+}
+
+/// What [`EditRequest::Clean`] hides.
+#[derive(Debug, Default, Serialize)]
+struct Clean {
+    /// Views that were looked at, of this many.
+    seen: usize,
+    views: usize,
+    /// Hidden Gaussians, and their share of the views' pixels.
+    hidden: usize,
+    weight: f64,
+}
+
+/// What Gaussians contribute to the views of the data set.
+#[derive(Debug)]
+struct Measured {
+    /// The scene of these Gaussians was measured.
+    gaussians: Vec<usize>,
+    /// `None` after the last view.
+    scene: Option<DeviceScene>,
+    found: Contributions,
+    seen: usize,
 }
 
 /// The scene that is edited.
@@ -109,16 +136,25 @@ pub struct Editor {
     selected: Vec<bool>,
     /// The Gaussians of each removal, the last one last.
     removals: Vec<Vec<usize>>,
+    /// Whether the last removal only hides.
+    is_hidden: bool,
+    cameras: Vec<Camera>,
+    measured: Option<Measured>,
     /// Number of changes to what is shown.
     version: u64,
 }
 
 impl Editor {
-    /// An editor of a scene, which writes to `file`.
+    /// An editor of a scene, which writes to `file`. `cameras` are the views that support Gaussians.
     ///
     /// # Errors
     /// [`Error::Invalid`](organza_core::Error::Invalid) if the file exists, and errors of writing there.
-    pub fn new(scene: Scene, options: UploadOptions, file: &Path) -> Result<Self> {
+    pub fn new(
+        scene: Scene,
+        cameras: Vec<Camera>,
+        options: UploadOptions,
+        file: &Path,
+    ) -> Result<Self> {
         if file.symlink_metadata().is_ok() {
             let file = file.display();
             return refuse(format!("{file} exists, and an edited scene replaces nothing"));
@@ -134,6 +170,9 @@ impl Editor {
             left: (0..count).collect(),
             selected: vec![false; count],
             removals: Vec::new(),
+            is_hidden: false,
+            cameras,
+            measured: None,
             version: 0,
         })
     }
@@ -154,6 +193,8 @@ impl Editor {
                 let selected = std::mem::take(&mut self.selected);
                 self.remove(stage, &selected)?;
             }
+            EditRequest::Clean(strength) => self.clean(stage, *strength)?,
+            EditRequest::Keep => self.is_hidden = false,
             EditRequest::Crop(Crop { low, high, outside }) => {
                 let region = Region::Box { low: *low, high: *high };
                 let places = self.scene.gaussians.position.iter();
@@ -176,6 +217,7 @@ impl Editor {
             selected: places.len(),
             places: places.into_iter().step_by(every).collect(),
             removals: self.removals.len(),
+            clean: self.hidden(),
             saved: saved.map(|path| path.display().to_string()),
         };
         serde_json::to_vec(&answer).or_else(|error| refuse(error.to_string()))
@@ -208,12 +250,8 @@ impl Editor {
 
     /// Removes some of the Gaussians that are left.
     fn remove(&mut self, stage: Stage<'_>, is_removed: &[bool]) -> Result<()> {
-        let choose = |wanted: bool| {
-            let both = self.left.iter().zip(is_removed);
-            both.filter_map(|(&i, &is)| (is == wanted).then_some(i)).collect::<Vec<_>>()
-        };
-        let [removed, left] = [true, false].map(choose);
         self.selected = vec![false; self.left.len()];
+        let [removed, left] = parted(&self.left, is_removed);
         if left.is_empty() {
             return refuse("nothing would be left".to_owned());
         }
@@ -222,16 +260,81 @@ impl Editor {
         }
         self.show(stage, left)?;
         self.removals.push(removed);
+        // what was hidden is removed, too
+        self.is_hidden = false;
         Ok(())
     }
 
-    fn undo(&mut self, stage: Stage<'_>) -> Result<()> {
-        let Some(removed) = self.removals.last() else { return Ok(()) };
+    /// What is left, together with what was removed last.
+    fn before(&self) -> Vec<usize> {
+        let removed = self.removals.last().map(Vec::as_slice).unwrap_or_default();
         let mut left = [&self.left[..], removed].concat();
         left.sort_unstable();
-        self.show(stage, left)?;
-        self.removals.pop();
+        left
+    }
+
+    fn undo(&mut self, stage: Stage<'_>) -> Result<()> {
+        if !self.removals.is_empty() {
+            self.show(stage, self.before())?;
+            self.removals.pop();
+            self.is_hidden = false;
+        }
         Ok(())
+    }
+
+    /// Hides floaters. Each call looks at one more view, until all were seen: the measure is the same as in `organza edit`.
+    fn clean(&mut self, stage: Stage<'_>, strength: f64) -> Result<()> {
+        if !(0.0..=1.0).contains(&strength) {
+            return refuse("a strength is a number from 0 to 1".to_owned());
+        }
+        if self.cameras.is_empty() {
+            return refuse("there are no views: name the data set, too".to_owned());
+        }
+        let whole = if self.is_hidden { self.before() } else { self.left.clone() };
+        let mut measured = match self.measured.take() {
+            Some(measured) if measured.gaussians == whole => measured,
+            _ => self.unmeasured(stage, whole)?,
+        };
+        if let (Some(scene), Some(camera)) = (&measured.scene, self.cameras.get(measured.seen)) {
+            stage.renderer.add_contributions(scene, camera, true, &mut measured.found)?;
+            measured.seen += 1;
+        }
+        let Measured { gaussians, scene, found, seen } = self.measured.insert(measured);
+        if *seen < self.cameras.len() {
+            return Ok(());
+        }
+        *scene = None;
+        let [removed, left] = parted(gaussians, &found.floaters(strength));
+        if left.is_empty() {
+            return refuse("nothing would be left".to_owned());
+        }
+        if left != self.left {
+            self.show(stage, left)?;
+            if self.is_hidden {
+                self.removals.pop();
+            }
+            self.is_hidden = !removed.is_empty();
+            self.removals.extend(self.is_hidden.then_some(removed));
+        }
+        Ok(())
+    }
+
+    /// The scene of these Gaussians, of which no view was looked at.
+    fn unmeasured(&self, stage: Stage<'_>, gaussians: Vec<usize>) -> Result<Measured> {
+        let scene = Scene { gaussians: self.all.select(&gaussians), ..self.scene.clone() };
+        let scene = Some(stage.renderer.upload(&scene)?);
+        Ok(Measured { found: Contributions::new(gaussians.len()), gaussians, scene, seen: 0 })
+    }
+
+    /// What is hidden, and how far that is known.
+    fn hidden(&self) -> Clean {
+        let views = self.cameras.len();
+        let Some(measured) = &self.measured else { return Clean { views, ..Clean::default() } };
+        let hidden = self.removals.last().filter(|_| self.is_hidden);
+        let hidden = hidden.map(Vec::as_slice).unwrap_or_default();
+        let places = hidden.iter().filter_map(|i| measured.gaussians.binary_search(i).ok());
+        let weight = measured.found.weight(places);
+        Clean { seen: measured.seen, views, hidden: hidden.len(), weight }
     }
 
     /// Shows these Gaussians, and selects none.
@@ -264,6 +367,12 @@ impl Editor {
         self.scene.save(&path)?;
         Ok(path)
     }
+}
+
+/// The Gaussians that are removed, and the others.
+fn parted(gaussians: &[usize], is_removed: &[bool]) -> [Vec<usize>; 2] {
+    let both = || gaussians.iter().zip(is_removed);
+    [true, false].map(|wanted| both().filter_map(|(&i, &is)| (is == wanted).then_some(i)).collect())
 }
 
 /// The depth of a view, in a small image.

@@ -261,6 +261,35 @@ fn a_scene_is_edited_in_a_browser() {
     page.wait(REST);
     assert!(left(&mut page) == all && shown(&mut page) == whole, "undo");
 
+    // the slider hides what few photographs support, and says what that is; then it goes
+    let slide = |page: &mut Page, strength: f64| {
+        page.eval(&format!(
+            "{{ const slider = document.getElementById('clean'); slider.value = {strength}; slider.dispatchEvent(new Event('input')) }}"
+        ));
+        page.wait("!organza.edit.cleaning");
+        page.wait(REST);
+    };
+    slide(&mut page, 0.5);
+    let hidden = page.eval("organza.edit.answer.clean.hidden").as_u64().expect("a number");
+    assert!(hidden > 0 && left(&mut page) == all - hidden && shown(&mut page) != whole);
+    let said = page.eval("document.getElementById('clean-said').textContent");
+    let said = said.as_str().expect("text");
+    assert!(
+        said.starts_with(&format!("{hidden} hidden, ")) && said.ends_with("--clean 0.5"),
+        "{said}"
+    );
+    page.screenshot("viewer-floaters");
+    slide(&mut page, 0.0);
+    assert!(left(&mut page) == all && shown(&mut page) == whole, "nothing is hidden");
+    slide(&mut page, 0.5);
+    page.eval("document.getElementById('keep-clean').click(); organza.edit.asked");
+    page.wait(
+        "document.getElementById('clean').value === '0' && organza.edit.answer.removals === 1",
+    );
+    page.eval("document.getElementById('undo-edit').click(); organza.edit.asked");
+    page.wait(REST);
+    assert!(left(&mut page) == all && shown(&mut page) == whole, "undo");
+
     // the page shows world coordinates as the program computes them
     let placement = organza::scene::Placement {
         offset: [5e5, -20.0, 3.0],

@@ -372,3 +372,37 @@ fn a_scene_is_edited_only_where_that_is_allowed() {
     assert_eq!(saved(&viewer), "cut-3.safetensors");
     assert_eq!(sandbox.read("cut.safetensors"), sandbox.read("cut-3.safetensors"));
 }
+
+/// The page's slider: it looks at view after view, hides, undoes, and keeps what `organza edit` keeps, to the bit.
+#[test]
+fn floaters_are_hidden_and_removed_as_by_the_command() {
+    let sandbox = Sandbox::new("tiny");
+    let all = crate::edit::plant_floaters(&sandbox).len();
+    let words = "edit planted.safetensors demo --clean 0.5 -o edited.safetensors --backend cpu";
+    sandbox.run(words).assert_ok();
+    let view = "view planted.safetensors --port 0 --backend cpu --edit alone.safetensors";
+    let viewer = Viewer::start(&sandbox, view);
+    assert_eq!(viewer.post("/edit", &json!({"clean": 0.5})).status, 422, "without views");
+    let words = "view planted.safetensors demo --port 0 --backend cpu --edit cleaned.safetensors";
+    let viewer = Viewer::start(&sandbox, words);
+    let ask = |request: serde_json::Value| viewer.post("/edit", &request).json();
+    for (request, status) in [(json!({"clean": 1.5}), 422), (json!({"clean": "all"}), 400)] {
+        assert_eq!(viewer.post("/edit", &request).status, status, "{request}");
+    }
+    let mut answer = ask(json!({"clean": 0.9}));
+    while answer["clean"]["seen"] != answer["clean"]["views"] {
+        assert_eq!(answer["clean"]["hidden"], 0, "{answer}");
+        answer = ask(json!({"clean": 0.9}));
+    }
+    let many = answer["clean"]["hidden"].as_u64();
+    assert!(answer["clean"]["weight"].as_f64() > Some(0.0), "{answer}");
+    answer = ask(json!("undo"));
+    assert_eq!((answer["left"].as_u64(), answer["removals"].as_u64()), (Some(all as u64), Some(0)));
+    answer = ask(json!({"clean": 0.5}));
+    assert!(answer["clean"]["hidden"].as_u64() < many, "{answer}");
+    answer = ask(json!("keep"));
+    assert_eq!((&answer["clean"]["hidden"], &answer["removals"]), (&json!(0), &json!(1)));
+    ask(json!("save"));
+    let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
+    assert!(read("cleaned.safetensors") == read("edited.safetensors"), "another scene");
+}

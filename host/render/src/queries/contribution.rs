@@ -39,7 +39,14 @@ struct GaussianSums {
     measured: f64,
     /// The part of `measured` that lies in front of the surface.
     in_front: f64,
+    /// Like `pixels`, over the pixels that were looked at for surfaces.
+    shares: f64,
+    /// Sum of the squares of the terms of `shares`.
+    share_squares: f64,
 }
+
+/// The doubt above which [`Contributions::floaters`] of strength 1/2 go.
+const DOUBT: f64 = 0.04;
 
 impl Contributions {
     /// No contribution yet, for a number of Gaussians.
@@ -66,14 +73,50 @@ impl Contributions {
         if measured > 0.0 { in_front / measured } else { 0.0 }
     }
 
+    /// How much a Gaussian looks like a floater: `a (f + 1 / n)`. Here a is the mean of its share of the pixels that it reaches,
+    /// weighted by this share; f is the part [in front](Self::in_front) of surfaces, and n the number of [views](Self::views) that
+    /// see it.
+    fn doubt(&self, gaussian: usize) -> f64 {
+        let GaussianSums { shares, share_squares, .. } = self.sums[gaussian];
+        let mean = if shares > 0.0 { share_squares / shares } else { 0.0 };
+        mean * (self.in_front(gaussian) + self.views(gaussian).recip())
+    }
+
+    /// Which Gaussians few views support: those whose doubt is above `0.04 (1 - s) / s`, for a strength s from 0, none, to 1. Needs
+    /// surfaces.
+    #[must_use]
+    pub fn floaters(&self, strength: f64) -> Vec<bool> {
+        let max = DOUBT * (1.0 - strength) / strength;
+        // NaN, of a Gaussian that no view sees, is no doubt
+        (0..self.sums.len()).map(|gaussian| self.doubt(gaussian) > max).collect()
+    }
+
+    /// The share of all views' pixels that some Gaussians have, 0 to 1.
+    #[must_use]
+    pub fn weight(&self, chosen: impl Iterator<Item = usize>) -> f64 {
+        let all: f64 = self.sums.iter().map(|sums| sums.pixels).sum();
+        let chosen: f64 = chosen.map(|gaussian| self.sums[gaussian].pixels).sum();
+        // a sum of nothing is -0
+        if chosen > 0.0 { chosen / all } else { 0.0 }
+    }
+
     /// Adds the sums of a view.
-    fn add(&mut self, view: &[GaussianSums]) {
-        for (sum, view) in self.sums.iter_mut().zip(view) {
-            sum.pixels += view.pixels;
-            sum.squares += view.pixels * view.pixels;
-            sum.measured += view.measured;
-            sum.in_front += view.in_front;
+    fn add(&mut self, view: Vec<GaussianSums>) {
+        for (sum, mut view) in self.sums.iter_mut().zip(view) {
+            view.squares = view.pixels * view.pixels;
+            sum.add(view);
         }
+    }
+}
+
+impl GaussianSums {
+    fn add(&mut self, other: Self) {
+        self.pixels += other.pixels;
+        self.squares += other.squares;
+        self.measured += other.measured;
+        self.in_front += other.in_front;
+        self.shares += other.shares;
+        self.share_squares += other.share_squares;
     }
 }
 
@@ -108,16 +151,13 @@ impl Renderer {
                     Ok(found) => {
                         index += 1;
                         for (gaussian, sums) in found {
-                            let sum = &mut view[gaussian];
-                            sum.pixels += sums.pixels;
-                            sum.measured += sums.measured;
-                            sum.in_front += sums.in_front;
+                            view[gaussian].add(sums);
                         }
                     }
                 }
             }
         }
-        contributions.add(&view);
+        contributions.add(view);
         Ok(())
     }
 
@@ -185,15 +225,16 @@ fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 
 /// The contributions of Gaussians to a pixel, and whether they are in front of its surface.
 fn in_pixel(mut reaching: Vec<PixelGaussian>) -> Vec<(usize, GaussianSums)> {
     let Some((surface, sum)) = surface(&mut reaching) else { return Vec::new() };
-    if sum < OPEN {
-        // it shows the background
-        return Vec::new();
-    }
     let sums_of = |one: &PixelGaussian| {
-        let measured = one.weight / sum.max(1.0);
+        let share = one.weight / sum.max(1.0);
+        // an open pixel shows the background
+        let measured = if sum < OPEN { 0.0 } else { share };
         let is_in_front = one.depth < (1.0 - SURFACE) * surface;
         let in_front = if is_in_front { measured } else { 0.0 };
-        (one.gaussian, GaussianSums { measured, in_front, ..GaussianSums::default() })
+        let mut sums = GaussianSums { measured, in_front, ..GaussianSums::default() };
+        sums.shares = share;
+        sums.share_squares = share * share;
+        (one.gaussian, sums)
     };
     reaching.iter().map(sums_of).collect()
 }

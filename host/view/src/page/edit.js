@@ -1,4 +1,4 @@
-// Removes Gaussians: a box with handles, a brush, undo, and save. The program keeps what is left.
+// Removes Gaussians: a box with handles, a brush, a slider for floaters, undo, and save. The program keeps what is left.
 
 import { add, digits, dot, project, scale, sub, toWorld, unproject, eyeOf, length } from "./camera.js";
 import { post } from "./frames.js";
@@ -22,6 +22,9 @@ export class Edit {
     $("clear-selected").onclick = () => this.ask("clear");
     $("undo-edit").onclick = () => this.ask("undo");
     $("save-edit").onclick = () => this.ask("save");
+    $("clean-field").hidden = !view.scene.views.length;
+    $("clean").oninput = () => this.clean();
+    $("keep-clean").onclick = () => this.ask("keep");
     $("brush").oninput = () => overlay.draw();
     // before the controls, which move the camera
     const frame = $("frame"), on = (name, handler) => frame.addEventListener(name, handler.bind(this), true);
@@ -49,18 +52,49 @@ export class Edit {
         const answer = await (await post("/edit", JSON.stringify(request))).json();
         const changed = this.answer && answer.left !== this.answer.left;
         Object.assign(this, { answer, places: answer.places });
+        // what was hidden is removed now, or back
+        if (request.crop || ["remove", "keep", "undo"].includes(request)) $("clean").value = 0;
+        this.sayClean(answer.clean);
         $("left").textContent = `${number.format(answer.left)} left`;
         $("undo-edit").disabled = !answer.removals;
         $("remove-selected").disabled = $("clear-selected").disabled = !answer.selected;
         $("edit-said").textContent = answer.saved ? `Saved as ${answer.saved}`
           : answer.selected ? `${number.format(answer.selected)} selected` : "";
         if (changed) this.frames.settle();
+        return true;
       } catch (error) {
         $("edit-said").textContent = error.message;
+        return false;
+      } finally {
+        this.overlay.draw();
       }
-      this.overlay.draw();
     });
     return this.asked;
+  }
+
+  // --- floaters: the program looks at one more photograph with each request, and then hides what few of them support
+
+  get strength() {
+    return Number($("clean").value);
+  }
+
+  async clean() {
+    if (this.cleaning) return;
+    this.cleaning = true;
+    let asked, isDone = false;
+    while (!isDone) {
+      asked = this.strength;
+      const isGood = await this.ask({ clean: asked }), { seen, views } = this.answer.clean;
+      isDone = !isGood || (asked === this.strength && (seen === views || !asked));
+    }
+    this.cleaning = false;
+  }
+
+  sayClean({ seen, views, hidden, weight }) {
+    const share = (100 * weight).toPrecision(2), many = number.format(hidden);
+    $("keep-clean").disabled = !hidden;
+    $("clean-said").textContent = hidden ? `${many} hidden, ${share}% of the photographs: --clean ${this.strength}`
+      : !this.strength ? "" : seen < views ? `Looking at photograph ${seen + 1} of ${views}` : "Nothing to hide";
   }
 
   // --- the mouse

@@ -140,7 +140,7 @@ const FLOATERS: usize = 200;
 /// Gaussians of `planted.safetensors`; the floaters are the last ones.
 pub fn plant_floaters(sandbox: &Sandbox) -> Gaussians {
     sandbox.run("demo -o demo --views 24 --size 64 --backend cpu").assert_ok();
-    fs::copy(sandbox.path("demo/scene.safetensors"), sandbox.path("scene.safetensors")).unwrap();
+    sandbox.copy_file("demo/scene.safetensors", "scene.safetensors");
     let mut cameras = organza::demo::turntable(24, 64);
     for (index, camera) in cameras.iter_mut().enumerate() {
         camera.file_path = Some(format!("{index:04}.png"));

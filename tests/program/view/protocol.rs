@@ -403,6 +403,6 @@ fn floaters_are_hidden_and_removed_as_by_the_command() {
     answer = ask(json!("keep"));
     assert_eq!((&answer["clean"]["hidden"], &answer["removals"]), (&json!(0), &json!(1)));
     ask(json!("save"));
-    let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
+    let read = |name: &str| sandbox.read(name);
     assert!(read("cleaned.safetensors") == read("edited.safetensors"), "another scene");
 }

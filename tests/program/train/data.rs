@@ -144,11 +144,11 @@ fn a_run_plans_its_steps_by_its_photographs() {
         let words = format!("train views -o {run} {words} --time-limit 1 --backend cpu");
         let said = sandbox.run(&words).assert_ok().stderr;
         let config = TrainConfig::load(sandbox.path(run).join(CONFIG)).unwrap();
-        (config.run.steps, said.contains("planned: 6,000 steps of "))
+        (config.run.steps, said.contains("planned: 8,000 steps of "))
     };
-    assert_eq!(planned("run", "--config tiny.toml --steps 0"), (6000, true));
-    assert_eq!(planned("again", "--config run/config.toml"), (6000, true));
-    assert_eq!(planned("own", "--config run/config.toml --steps 6001"), (6001, false));
+    assert_eq!(planned("run", "--config tiny.toml --steps 0"), (8000, true));
+    assert_eq!(planned("again", "--config run/config.toml"), (8000, true));
+    assert_eq!(planned("own", "--config run/config.toml --steps 8001"), (8001, false));
 }
 
 #[test]

@@ -149,9 +149,9 @@ fn a_run_is_as_long_as_its_photographs_are_many() {
     let mut run = RunConfig { steps: 0, ..RunConfig::default() };
     // 20 times the pixels, of which a step draws 16 * 64 * 64 = 65,536
     for (photographs, size, on_cpu, on_gpu) in [
-        (30, 270.0 * 480.0, 6_000, 6_000),
+        (30, 270.0 * 480.0, 8_000, 8_000),
         (97, 1008.0 * 756.0, 20_000, 22_600),
-        (100, 400.0 * 400.0, 6_000, 6_000),
+        (100, 400.0 * 400.0, 8_000, 8_000),
         (100, 800.0 * 800.0, 19_600, 19_600),
         (300, 1600.0 * 1200.0, 20_000, 100_000),
     ] {

@@ -474,8 +474,8 @@ impl TrainJob<'_> {
 /// The pixels that training draws in a second: a guess, before the first step.
 fn pixels_per_second(renderer: &Renderer) -> f64 {
     let cores = thread::available_parallelism().map_or(1, usize::from);
-    // docs/performance.md: what a core of Zen 5 and an H200 do
-    if renderer.device().is_cpu_like() { 4e5 * cores as f64 } else { 1.2e7 }
+    // docs/performance.md: what a core of Zen 5 and an H200 do over a whole run
+    if renderer.device().is_cpu_like() { 3e5 * cores as f64 } else { 9e6 }
 }
 
 /// Says how much exposures differ, and whether they are learned.

@@ -56,7 +56,7 @@ const VISITS: f64 = 20.0;
 /// The fewest steps of such a run,
 const FEWEST_STEPS: f64 = 8000.0;
 /// and the most, on a CPU and on a GPU.
-const MOST_STEPS: [f64; 2] = [20_000.0, 100_000.0];
+const MOST_STEPS: [f64; 2] = [10_000.0, 100_000.0];
 
 impl RunConfig {
     /// Number of pixels that a step draws.

@@ -150,10 +150,10 @@ fn a_run_is_as_long_as_its_photographs_are_many() {
     // 20 times the pixels, of which a step draws 16 * 64 * 64 = 65,536
     for (photographs, size, on_cpu, on_gpu) in [
         (30, 270.0 * 480.0, 8_000, 8_000),
-        (97, 1008.0 * 756.0, 20_000, 22_600),
+        (97, 1008.0 * 756.0, 10_000, 22_600),
         (100, 400.0 * 400.0, 8_000, 8_000),
-        (100, 800.0 * 800.0, 19_600, 19_600),
-        (300, 1600.0 * 1200.0, 20_000, 100_000),
+        (100, 800.0 * 800.0, 10_000, 19_600),
+        (300, 1600.0 * 1200.0, 10_000, 100_000),
     ] {
         let pixels = f64::from(photographs) * size;
         let steps = [true, false].map(|is_cpu_like| run.steps_for(pixels, is_cpu_like));

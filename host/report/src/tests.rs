@@ -279,7 +279,7 @@ fn every_number_that_is_drawn_is_in_the_page() {
 #[test]
 fn the_page_shows_the_command_and_its_progress() {
     let folder = tempfile::tempdir().unwrap();
-    let text = "[loss]\nssim_weight = 0.3\n[optimizer]\nbeta1 = 0.8\n";
+    let text = "[run]\nsteps = 2000\n[loss]\nssim_weight = 0.3\n[optimizer]\nbeta1 = 0.8\n";
     let run = run(&folder.path().join("garden run"), text, &records(&["a", "b", "c"]));
     let page = elements(&single::html(&run));
     // from the last evaluation, not from the last step
@@ -406,8 +406,8 @@ fn a_long_run_is_thinned_out() {
 fn comparisons_show_different_settings_and_common_views() {
     let folder = tempfile::tempdir().unwrap();
     // a schedule says what `--minutes` did, not what the user chose
-    let text = "[run]\nseed = 7\nschedule = [[0, 2000]]\n[data]\npath = \"garden\"\n";
-    let first = run(&folder.path().join("a"), "", &records(&["x", "y"]));
+    let text = "[run]\nseed = 7\nsteps = 2000\nschedule = [[0, 2000]]\n[data]\npath = \"garden\"\n";
+    let first = run(&folder.path().join("a"), "[run]\nsteps = 2000\n", &records(&["x", "y"]));
     let second = run(&folder.path().join("b"), text, &records(&["y", "z"]));
     let found: Vec<_> = differences([&first, &second])
         .into_iter()

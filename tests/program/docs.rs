@@ -35,6 +35,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("organza export-web garden", "it needs what `organza train` makes of a video"),
     ("pip ", "it needs PyPI"),
     ("python scripts/lpips.py", "it needs packages of PyPI"),
+    ("python scripts/reproducibility.py", "it trains ten times"),
     ("python scripts/tensorboard.py", "it needs packages of TensorBoard"),
     ("tensorboard --logdir", "it shows a page until Ctrl-C"),
 ];

@@ -8,7 +8,7 @@ use super::{Scene, Tensor};
 use crate::error::{Result, refuse};
 
 impl TensorSpec {
-    /// Checks the shape that the tensor has in the file `origin`, if it is there.
+    /// Checks the shape that the tensor has, if it is there.
     ///
     /// # Errors
     /// [`Error::Invalid`](crate::Error::Invalid).

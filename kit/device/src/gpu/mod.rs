@@ -38,6 +38,8 @@ pub struct Gpu {
     failures: Arc<Mutex<Failures>>,
     /// Whether this is a software device that has not been opened [like a card](DeviceOptions::like_a_card).
     is_software: bool,
+    /// The bytes of its largest heap of its own memory; `None` if it is a software device, or not Vulkan's.
+    memory_bytes: Option<u64>,
 }
 
 /// Bytes that a submission copies for the host.
@@ -83,12 +85,15 @@ impl Gpu {
         let variants = Variants::new(&device, options.variants);
         let memory = MemoryPool::default();
         let info = device.adapter_info();
+        let is_software = info.device_type == wgpu::DeviceType::Cpu && !options.like_a_card;
+        let memory_bytes = if is_software { None } else { adapter::memory_bytes(&device) };
         Self {
             recorder: Mutex::new(Recorder::new(&device, &memory)),
             memory,
             staging: Mutex::default(),
             pipelines: Pipelines::new(spirv, variants, modules),
-            is_software: info.device_type == wgpu::DeviceType::Cpu && !options.like_a_card,
+            is_software,
+            memory_bytes,
             info,
             limits: device.limits(),
             device,
@@ -151,9 +156,8 @@ impl Gpu {
         self.limits.max_buffer_size.min(self.limits.max_storage_buffer_binding_size)
     }
 
-    /// The bytes of its largest heap of memory that no other device has; `None` if it is a software device, or not Vulkan's.
     pub fn memory_bytes(&self) -> Option<u64> {
-        if self.is_software { None } else { adapter::memory_bytes(&self.device) }
+        self.memory_bytes
     }
 
     /// Memory for a buffer. Without `zeros` it can contain anything.

@@ -1,7 +1,7 @@
 //! A corpus of wrong kernels, with mistakes that people make: for each message of the kit one, and up to three. Each file has one,
 //! and its first line describes the mistake. A line with a mistake ends with `//~`.
 //!
-//! The tests run them as the author of a kernel would, and compare the table of `docs/corpus.md` with the results.
+//! The tests run them as the author of a kernel would, and compare the table of `README.md` with the results.
 
 extern crate muslin_kernel as muslin;
 

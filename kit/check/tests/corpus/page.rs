@@ -102,11 +102,8 @@ fn table(findings: &[Finding]) -> String {
             let code = code.trim().trim_end_matches("//~").trim_end_matches([' ', '{', ';']);
             format!("`{}`", code.replace('|', "\\|"))
         });
-        writeln!(
-            text,
-            "| [{what}](../{FOLDER}/{kind}/{name}.rs) | {code} | {device} | {message} |"
-        )
-        .expect("a string");
+        writeln!(text, "| [{what}]({kind}/{name}.rs) | {code} | {device} | {message} |")
+            .expect("a string");
     }
     text
 }
@@ -146,7 +143,7 @@ fn the_page_lists_every_finding() {
     let findings: Vec<_> = BUGS.iter().map(find).collect();
     let wrong: Vec<_> = findings.iter().filter_map(elsewhere).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    let path = root().join("docs/corpus.md");
+    let path = root().join(FOLDER).join("README.md");
     let page = fs::read_to_string(&path).unwrap();
     let (begin, rest) = page.split_once(BEGIN).expect("the page's beginning");
     let table = table(&findings);
@@ -157,6 +154,6 @@ fn the_page_lists_every_finding() {
     let differs = rest.lines().zip(table.lines()).find(|(page, found)| page != found);
     assert!(
         rest == table,
-        "docs/corpus.md differs from what is found: {differs:?}; MUSLIN_WRITE_CORPUS=1 writes it"
+        "the page differs from what is found: {differs:?}; MUSLIN_WRITE_CORPUS=1 writes it"
     );
 }

@@ -240,6 +240,12 @@ impl Camera {
         [column(0, 1.0), column(1, -1.0), column(2, -1.0)]
     }
 
+    /// The direction of a place in the image, column and row, in the world; its depth is 1.
+    pub fn ray(&self, [column, row]: [f64; 2]) -> DVec3 {
+        let [x, y] = [(column - self.cx) / self.fl_x, (row - self.cy) / self.fl_y];
+        self.to_world() * DVec3::new(x, y, 1.0)
+    }
+
     /// The rotation from OpenCV's camera axes to world axes.
     pub fn to_world(&self) -> DMat3 {
         let [right, down, forward] = self.axes();

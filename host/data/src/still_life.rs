@@ -94,7 +94,8 @@ pub fn photograph(camera: &Camera, index: usize) -> Result<Image> {
             for ray in 0..RAYS {
                 let time = (ray as f64 + random.random::<f64>()) / RAYS as f64 - 0.5;
                 let blur = DVec2::from([(); 2].map(|()| random.sample(StandardNormal)));
-                let direction = direction(camera, center + LENS_BLUR * blur + time * motion);
+                let at = center + LENS_BLUR * blur + time * motion;
+                let direction = camera.ray(at.into()).normalize();
                 sum += light(solids, camera.eye().into(), direction, &mut random);
             }
             let light = gain / RAYS as f64 * sum;
@@ -102,14 +103,6 @@ pub fn photograph(camera: &Camera, index: usize) -> Result<Image> {
         })
     });
     Ok(Image::from_pixels([width, height], &rows.collect::<Vec<_>>()))
-}
-
-/// Direction of the ray through a place of the image, a unit vector.
-fn direction(camera: &Camera, at: DVec2) -> DVec3 {
-    let [right, down, forward] = camera.axes();
-    let x = (at.x - camera.cx) / camera.fl_x;
-    let y = (at.y - camera.cy) / camera.fl_y;
-    (x * right + y * down + forward).normalize()
 }
 
 /// Light with the sensor's noise.

@@ -317,13 +317,9 @@ mod tests {
         let cameras =
             eyes.map(|eye| Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], angle, [64, 64]));
         let frame = |camera: Camera| {
-            let view = camera.to_world();
             let rays = (0..64 * 64).map(|i| {
-                let x = f64::from(i % 64) + 0.5;
-                let y = f64::from(i / 64) + 0.5;
-                let x = (x - camera.cx) / camera.fl_x;
-                let y = (y - camera.cy) / camera.fl_y;
-                scene(DVec3::from(camera.eye()), view * DVec3::new(x, y, 1.0))
+                let ray = camera.ray([i % 64, i / 64].map(|at| f64::from(at) + 0.5));
+                scene(DVec3::from(camera.eye()), ray)
             });
             let pixel = |hit: Option<(Vec3, DVec3)>| match hit {
                 Some((color, _)) => ((color * 255.0).to_array().map(|value| value as u8), 255),

@@ -129,11 +129,8 @@ mod tests {
             let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 6.0).sin_cos();
             let eye = [3.0 * cos, 3.0 * sin, 4.0];
             let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 0.8, [48, 48]).unwrap();
-            let [right, down, forward] = camera.axes();
             let pixel = |at: u32| {
-                let x = (f64::from(at % 48) + 0.5 - camera.cx) / camera.fl_x;
-                let y = (f64::from(at / 48) + 0.5 - camera.cy) / camera.fl_y;
-                let ray = right * x + down * y + forward;
+                let ray = camera.ray([at % 48, at / 48].map(|at| f64::from(at) + 0.5));
                 color(DVec3::from(eye) - ray * (eye[2] / ray.z))
             };
             let pixels = (0..48 * 48).map(pixel).collect();

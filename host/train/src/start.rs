@@ -217,11 +217,9 @@ fn in_ball(target: &Target, random: &mut Pcg64) -> DVec3 {
 /// A random place along a ray, from the target's distance to four times as far, uniform in the inverse depth.
 fn along_a_ray(target: &Target, cameras: &[Camera], random: &mut Pcg64) -> DVec3 {
     let camera = &cameras[random.random_range(0..cameras.len())];
-    let x = (random.random::<f64>() * f64::from(camera.width) - camera.cx) / camera.fl_x;
-    let y = (random.random::<f64>() * f64::from(camera.height) - camera.cy) / camera.fl_y;
+    let place = [camera.width, camera.height].map(|side| random.random::<f64>() * f64::from(side));
     let depth = target.distance / random.random_range(0.25..1.0);
-    let [right, down, forward] = camera.axes();
-    DVec3::from(camera.eye()) + (right * x + down * y + forward) * depth
+    DVec3::from(camera.eye()) + camera.ray(place) * depth
 }
 
 /// At most `count` of the points, chosen at random, with their colors.

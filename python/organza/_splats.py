@@ -47,7 +47,7 @@ def export(
 
         organza.export(scene, "scene.ply", dataset)
 
-    The ending of `path` says how the file is written: ".ply" has all values; ".compressed.ply", ".spz" and ".sog" round them; ".glb" is glTF;
+    The ending of `path` says how the file is written: ".ply" has all values; ".spz" and ".sog" round them; ".glb" is glTF;
     ".splat" has one color for all directions. `spz_version` 2 is for viewers that do not open version 4. The fit compares the images of `cameras`: every eighth is only measured. Of a data set, the photographs that are
     held out are only measured; the result then says what the file loses beside them. Without `cameras`, 48 stand all around the
     scene's box.

@@ -38,7 +38,7 @@ pub fn save_scene(
 
 /// The place of a scene in the space of a file, and of the file in the world. The file's unit is the meter if it is known. The file
 /// leaves out an offset that is many times as large as the scene: positions could not hold it.
-fn in_file(placement: &Placement) -> (Placement, Placement) {
+pub(crate) fn in_file(placement: &Placement) -> (Placement, Placement) {
     let mut in_file = placement.in_meters();
     let scale = 1.0 / placement.meters.unwrap_or(1.0);
     let mut said = Placement { scale, ..Placement::default() };
@@ -167,7 +167,6 @@ mod tests {
             let is_far = placement.offset[0] > 1e5;
             for (name, format) in [
                 ("a.ply", Format::Ply),
-                ("a.compressed.ply", Format::CompressedPly),
                 ("a.spz", Format::Spz),
                 ("a.sog", Format::Sog),
                 ("a.glb", Format::Glb),

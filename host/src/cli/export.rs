@@ -35,7 +35,7 @@ opacities to the visibility. Then it renders as those viewers do, from the camer
 compares with the scene's own images, and corrects all values of the Gaussians, step by step. It prints how close it came, \
 in views that the fit has not seen.";
 
-/// Write a file for 3D Gaussian Splatting viewers such as SuperSplat: .ply, .compressed.ply, .spz, .sog, .glb or .splat
+/// Write a file for 3D Gaussian Splatting viewers such as SuperSplat: .ply, .spz, .sog, .glb or .splat
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -44,8 +44,7 @@ pub struct Args {
     /// The views to compare: nerfstudio's transforms.json, or a data set [default: the run's, or views from
     /// all around the scene]
     cameras: Option<PathBuf>,
-    /// The file. Its extension chooses the format: .ply and .glb have all values; .compressed.ply, .spz and .sog
-    /// round them; .splat has
+    /// The file. Its extension chooses the format: .ply and .glb have all values; .spz and .sog round them; .splat has
     /// one color for all directions
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,

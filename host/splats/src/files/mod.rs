@@ -33,8 +33,6 @@ use organza_core::{Error, Result, write_atomic};
 pub enum Format {
     /// PLY with the properties of 3D Gaussian Splatting: all values as 32-bit floats.
     Ply,
-    /// PlayCanvas' compressed PLY: values are rounded within chunks of 256 neighbors.
-    CompressedPly,
     /// Niantic's SPZ, version 4: quantized and compressed, a tenth of a PLY's size.
     Spz,
     /// SPZ of version 2, for programs that do not read version 4. It rounds rotations more.
@@ -126,7 +124,9 @@ impl Format {
         let name = path.file_name().unwrap_or_default().to_ascii_lowercase();
         let name = name.to_string_lossy();
         match name.rsplit_once('.') {
-            Some((name, "ply")) if name.ends_with(".compressed") => Ok(Self::CompressedPly),
+            Some((name, "ply")) if name.ends_with(".compressed") => {
+                invalid(path, "organza only reads .compressed.ply; a .sog is half as large")
+            }
             Some((_, "ply")) => Ok(Self::Ply),
             Some((_, "spz")) => Ok(Self::Spz),
             Some((_, "sog")) => Ok(Self::Sog),
@@ -134,7 +134,7 @@ impl Format {
             Some((_, "splat")) => Ok(Self::Splat),
             _ => invalid(
                 path,
-                "the ending of the file says how it is written: .ply, .spz, .sog, .compressed.ply, .glb or .splat",
+                "the ending of the file says how it is written: .ply, .spz, .sog, .glb or .splat",
             ),
         }
     }
@@ -164,7 +164,6 @@ pub fn save(
     let mut bytes = Vec::new();
     let encoded = match format {
         Format::Ply => ply::write(splats, placement, &mut bytes),
-        Format::CompressedPly => packed_ply::write(splats, placement, &mut bytes),
         Format::Spz => spz::write(splats, up, placement, &mut bytes),
         Format::Spz2 => spz::write_2(splats, &mut bytes),
         Format::Sog => sog::write(splats, placement, &mut bytes),

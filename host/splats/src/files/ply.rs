@@ -39,14 +39,7 @@ fn names() -> impl Iterator<Item = String> {
         .chain(numbered(3))
 }
 
-/// Writes the header's first lines.
-pub fn write_head(placement: &Placement, file: &mut dyn Write) -> io::Result<()> {
-    writeln!(file, "ply\nformat binary_little_endian 1.0")?;
-    writeln!(file, "comment written by organza {}", env!("CARGO_PKG_VERSION"))?;
-    writeln!(file, "comment {PLACEMENT} {}", serde_json::to_string(placement)?)
-}
-
-/// The placement in the comments of [`write_head`].
+/// The placement in the comments of [`write`].
 pub fn said<R: Read>(file: &Ply<'_, R>, path: &Path) -> Result<Option<Placement>> {
     let json =
         |comment: &String| comment.strip_prefix(PLACEMENT)?.strip_prefix(' ').map(str::to_owned);
@@ -56,7 +49,9 @@ pub fn said<R: Read>(file: &Ply<'_, R>, path: &Path) -> Result<Option<Placement>
 }
 
 pub fn write(splats: &[Splat], placement: &Placement, file: &mut dyn Write) -> io::Result<()> {
-    write_head(placement, file)?;
+    writeln!(file, "ply\nformat binary_little_endian 1.0")?;
+    writeln!(file, "comment written by organza {}", env!("CARGO_PKG_VERSION"))?;
+    writeln!(file, "comment {PLACEMENT} {}", serde_json::to_string(placement)?)?;
     writeln!(file, "element vertex {}", splats.len())?;
     for name in names() {
         writeln!(file, "property float {name}")?;

@@ -15,6 +15,7 @@ mod flags;
 mod hostile;
 mod kernels;
 mod limits;
+mod mesh;
 mod mutate;
 mod mutations;
 #[cfg(unix)]

@@ -42,6 +42,7 @@ pub use queries::leakage::Leakage;
 #[doc(hidden)]
 pub use queries::pixel::Stages;
 pub use queries::pixel::{Contribution, Inspection, Trace};
+pub use queries::surface::Surface;
 pub use scene::device_scene::DeviceScene;
 pub use scene::occupancy::OCCUPANCY;
 pub use scene::options::UploadOptions;

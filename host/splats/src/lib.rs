@@ -1,6 +1,8 @@
 //! Gaussians for viewers that sort (Kerbl et al., 3D Gaussian Splatting, 2023). Each has an opacity and a color as
 //! spherical harmonics. Only the Gaussians in front hide it.
 //!
+//! A scene also becomes a [`Mesh`].
+//!
 //! Use it through the crate [`organza`](https://crates.io/crates/organza), whose module `splats` also makes scenes of
 //! such Gaussians.
 
@@ -9,14 +11,18 @@ mod files;
 mod fitted;
 mod harmonics;
 mod kept;
+mod mesh;
 mod placed;
 mod sorted;
 mod sorted_backward;
 mod views;
 
 pub use distill::{Distilled, Fit, distill, psnr};
-pub use files::{Format, META, SplatFile, base_color, load, read_from, save};
+pub use files::{
+    Format, META, MeshFormat, SplatFile, base_color, load, read_from, save, save_mesh,
+};
 pub use fitted::PHOTOGRAPHS;
+pub use mesh::Mesh;
 pub use placed::save_scene;
 pub use sorted::render;
 pub use views::{Views, bounds};

@@ -19,6 +19,7 @@ mod info;
 mod inputs;
 mod kernels;
 mod man;
+mod mesh;
 mod output;
 mod parity;
 mod picture;
@@ -83,6 +84,7 @@ enum Command {
     View(view::Args),
     ExportWeb(export_web::Args),
     Export(export::Args),
+    Mesh(mesh::Args),
     Import(import::Args),
     Edit(edit::Args),
     Explain(explain::Args),
@@ -113,6 +115,7 @@ pub fn main() -> ExitCode {
         Command::View(args) => view::run(args, console).map(done),
         Command::ExportWeb(args) => export_web::run(args, console).map(done),
         Command::Export(args) => export::run(args, console).map(done),
+        Command::Mesh(args) => mesh::run(args, console).map(done),
         Command::Import(args) => import::run(args, console).map(done),
         Command::Edit(args) => edit::run(args, console).map(done),
         Command::Explain(args) => explain::run(args, console).map(done),

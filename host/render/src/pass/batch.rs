@@ -430,6 +430,26 @@ impl<'a> Pass<'a> {
         }
     }
 
+    /// Calls `evaluate` for every part of a batch. A part for which memory runs out comes again, in pieces.
+    ///
+    /// # Errors
+    /// The errors of `evaluate`, and of [`Self::make_room`].
+    pub fn each_part(
+        &self,
+        batch: &TileBatch,
+        mut evaluate: impl FnMut(&PartTiles) -> Result<()>,
+    ) -> Result<()> {
+        let mut parts = self.cut(batch)?;
+        let mut index = 0;
+        while let Some(at) = parts.list.get(index) {
+            match evaluate(&at.part_tiles) {
+                Err(error) => self.make_room(error, &mut parts, index..index + 1)?,
+                Ok(()) => index += 1,
+            }
+        }
+        Ok(())
+    }
+
     /// After memory ran out, gives up what was kept; then cuts some parts into pieces; then forgets what was predicted, as
     /// a part may need less.
     ///

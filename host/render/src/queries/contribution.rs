@@ -141,21 +141,11 @@ impl Renderer {
         let depths = surfaces.then(|| depths(&position, camera));
         let mut view = vec![GaussianSums::default(); scene.len()];
         for batch in bands(0, [camera.width, camera.height], TILE_SIDE) {
-            let batch = batch?;
-            let pass = self.pass(scene, from_ref(camera));
-            let mut parts = pass.cut(&batch)?;
-            let mut index = 0;
-            while let Some(at) = parts.list.get(index) {
-                match self.part_sums(scene, camera, &at.part_tiles, depths.as_deref()) {
-                    Err(error) => pass.make_room(error, &mut parts, index..index + 1)?,
-                    Ok(found) => {
-                        index += 1;
-                        for (gaussian, sums) in found {
-                            view[gaussian].add(sums);
-                        }
-                    }
-                }
-            }
+            self.pass(scene, from_ref(camera)).each_part(&batch?, |part_tiles| {
+                let found = self.part_sums(scene, camera, part_tiles, depths.as_deref())?;
+                found.into_iter().for_each(|(gaussian, sums)| view[gaussian].add(sums));
+                Ok(())
+            })?;
         }
         contributions.add(view);
         Ok(())
@@ -186,7 +176,9 @@ impl Renderer {
             let tiles = part_tiles.tiles.par_iter().enumerate();
             let tiles = tiles.map(|(index, part_tile)| {
                 let pixels = spaced(part_tile.tile, part_tiles.side, camera);
-                let pixels = pixels.flat_map(|pixel| in_pixel(splats.at(index, pixel, depths)));
+                let pixels = pixels.flat_map(|pixel| {
+                    in_pixel(splats.at(index, pixel, |gaussian| depths[gaussian]))
+                });
                 pixels.collect::<Vec<_>>()
             });
             found.extend(tiles.flatten().collect::<Vec<_>>());

@@ -81,25 +81,15 @@ impl Renderer {
         let batch = spaced(cameras, camera, max)?;
         let depths = depths(&device.read(&scene.tensors.gaussians.position)?, &cameras[camera]);
         let mut found = Vec::with_capacity(batch.tiles.len());
-        let pass = self.pass(scene, cameras);
-        let mut parts = pass.cut(&batch)?;
-        let mut index = 0;
-        while let Some(at) = parts.list.get(index) {
-            let splats = Part::evaluate(scene, cameras, &at.part_tiles, false, None)
-                .and_then(|part| PartSplats::read(device, &part));
-            match splats {
-                Err(error) => pass.make_room(error, &mut parts, index..index + 1)?,
-                Ok(splats) => {
-                    index += 1;
-                    found.extend(at.part_tiles.tiles.iter().enumerate().map(
-                        |(tile, part_tile)| {
-                            let mut reaching = splats.at(tile, part_tile.tile.origin, &depths);
-                            Leakage::from_gaussians(&mut reaching)
-                        },
-                    ));
-                }
-            }
-        }
+        self.pass(scene, cameras).each_part(&batch, |part_tiles| {
+            let part = Part::evaluate(scene, cameras, part_tiles, false, None)?;
+            let splats = PartSplats::read(device, &part)?;
+            found.extend(part_tiles.tiles.iter().enumerate().map(|(tile, part_tile)| {
+                let depth = |gaussian: usize| depths[gaussian];
+                Leakage::from_gaussians(&mut splats.at(tile, part_tile.tile.origin, depth))
+            }));
+            Ok(())
+        })?;
         Ok(Leakage::mean(&found))
     }
 }

@@ -1,4 +1,4 @@
-//! Other queries of a scene: views from one place, a plan for a browser, single pixels, and the contributions of Gaussians.
+//! Other queries of a scene: views from one place, a plan for a browser, single pixels, surfaces, and the contributions of Gaussians.
 
 pub mod contribution;
 pub mod eye;
@@ -6,3 +6,4 @@ pub mod frame;
 pub mod leakage;
 pub mod pixel;
 pub mod pixel_gaussians;
+pub mod surface;

@@ -40,8 +40,13 @@ impl PartSplats {
         })
     }
 
-    /// The Gaussians that reach a pixel of the image, which lies in the part's tile `tile`. `depths [N]` has every Gaussian's depth.
-    pub fn at(&self, tile: usize, pixel: [i32; 2], depths: &[f64]) -> Vec<PixelGaussian> {
+    /// The Gaussians that reach a pixel of the image, which lies in the part's tile `tile`. `depth` gives a Gaussian's depth.
+    pub fn at(
+        &self,
+        tile: usize,
+        pixel: [i32; 2],
+        depth: impl Fn(usize) -> f64,
+    ) -> Vec<PixelGaussian> {
         let square = KernelTile { camera: 0, origin: pixel, output: 0 };
         let center = square.pixel_center(0, 0);
         let range = self.first[tile] as usize..self.first[tile + 1] as usize;
@@ -50,7 +55,7 @@ impl PartSplats {
             let q = splat_distance(self.splat[at], self.splat[at + 1], center.x, center.y);
             let gaussian = self.pair[pair as usize] as usize;
             let weight = f64::from(alpha(self.splat[at], q));
-            in_support(q).then(|| PixelGaussian { gaussian, depth: depths[gaussian], weight })
+            in_support(q).then(|| PixelGaussian { gaussian, depth: depth(gaussian), weight })
         };
         self.intersection[range].iter().filter_map(reaching).collect()
     }

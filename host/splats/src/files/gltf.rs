@@ -26,7 +26,7 @@ const OPACITY_EDGE: f32 = 1e-6;
 /// Largest difference of a node's axes from unit vectors at right angles.
 const ORTHONORMAL: f64 = 1e-4;
 /// glTF's code for components of type float.
-const FLOAT: u32 = 5126;
+pub(super) const FLOAT: u32 = 5126;
 const BYTE: u32 = 5121;
 /// Types of components: the code, the number of bytes, and the level that stands for 1 if they are normalized.
 const COMPONENTS: [(u32, usize, f32); 5] =
@@ -34,7 +34,7 @@ const COMPONENTS: [(u32, usize, f32); 5] =
 /// Names of values with 1 to 4 components.
 const KINDS: [&str; 4] = ["SCALAR", "VEC2", "VEC3", "VEC4"];
 /// glTF's code for a buffer of vertex attributes.
-const VERTICES: u32 = 34962;
+pub(super) const VERTICES: u32 = 34962;
 
 /// An attribute: its name, the type of a Gaussian's value, and the bytes of all values.
 struct Attribute {
@@ -96,7 +96,7 @@ pub fn write(
     KNOWN.into_iter().for_each(|(key, value)| extension[key] = json!(value));
     let primitive = json!({"attributes": named, "mode": 0, "extensions": {EXTENSION: extension}});
     let json = json!({
-        "asset": {"version": "2.0", "generator": concat!("organza ", env!("CARGO_PKG_VERSION"))},
+        "asset": asset(),
         "extensionsUsed": [EXTENSION],
         "scene": 0,
         "scenes": [{"nodes": [0]}],
@@ -106,7 +106,19 @@ pub fn write(
         "bufferViews": views,
         "buffers": [{"byteLength": length}],
     });
-    let mut json = serde_json::to_vec(&json)?;
+    write_container(&json, length, file)?;
+    // each attribute is freed after it is written
+    attributes.drain(..).try_for_each(|attribute| file.write_all(&attribute.bytes))
+}
+
+/// What a file says of itself.
+pub(super) fn asset() -> Value {
+    json!({"version": "2.0", "generator": concat!("organza ", env!("CARGO_PKG_VERSION"))})
+}
+
+/// Writes all of a file but the bytes of its buffer, which follow.
+pub(super) fn write_container(json: &Value, length: usize, file: &mut dyn Write) -> io::Result<()> {
+    let mut json = serde_json::to_vec(json)?;
     json.resize(json.len().next_multiple_of(4), b' ');
     let whole = 12 + 8 + json.len() + 8 + length;
     let Ok(whole) = u32::try_from(whole) else {
@@ -115,9 +127,7 @@ pub fn write(
     write_words(file, &[u32::from_le_bytes(*b"glTF"), 2, whole])?;
     write_words(file, &[json.len() as u32, u32::from_le_bytes(*b"JSON")])?;
     file.write_all(&json)?;
-    write_words(file, &[length as u32, u32::from_le_bytes(*b"BIN\0")])?;
-    // each attribute is freed after it is written
-    attributes.drain(..).try_for_each(|attribute| file.write_all(&attribute.bytes))
+    write_words(file, &[length as u32, u32::from_le_bytes(*b"BIN\0")])
 }
 
 fn write_words(file: &mut dyn Write, words: &[u32]) -> io::Result<()> {

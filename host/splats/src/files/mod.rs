@@ -3,11 +3,13 @@
 mod clusters;
 mod dot_splat;
 mod gltf;
+mod mesh;
 mod packed_ply;
 mod ply;
 mod sog;
 mod spz;
 
+pub use mesh::{MeshFormat, save_mesh};
 pub use sog::META;
 pub use spz::{SYSTEMS, from_axes};
 

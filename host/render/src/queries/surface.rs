@@ -1,0 +1,184 @@
+//! The surface that a view shows: the depth of each pixel.
+
+use std::slice::from_ref;
+
+use glam::{DMat3, DQuat, DVec3};
+use rayon::prelude::*;
+
+use super::pixel_gaussians::{PartSplats, surface};
+use crate::pass::part::Part;
+use crate::stages::cut::PartTiles;
+use crate::{DeviceScene, Renderer};
+use muslin_device::memory;
+use organza_core::image::{bands, to_8_bit};
+use organza_core::{Camera, Result, Tile};
+
+/// Side of the tiles: small ones have short lists of Gaussians.
+const SIDE: u32 = 16;
+
+/// What a camera sees, pixel by pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// The camera.
+    pub camera: Camera,
+    /// `[H, W]`: depth along the camera's axis, in units of the scene. It is 0 where the pixel shows the background, with a
+    /// weight S below a half.
+    pub depth: Vec<f32>,
+    /// `[H, W]`
+    pub color: Vec<[u8; 3]>,
+}
+
+/// Smallest S of a surface.
+const SOLID: f64 = 0.5;
+
+/// A Gaussian's density along the rays from an eye.
+struct Density {
+    /// Takes directions to a space in which the Gaussian is a ball.
+    to_ball: DMat3,
+    /// The Gaussian's center there, seen from the eye.
+    center: DVec3,
+}
+
+impl Density {
+    /// The place on the ray `t d` from the eye where the density `exp(-|B (t d - center)|^2 / 2)` is largest:
+    /// `t = (B d . B center) / |B d|^2`.
+    fn densest(&self, direction: DVec3) -> f64 {
+        let direction = self.to_ball * direction;
+        direction.dot(self.center) / direction.length_squared()
+    }
+}
+
+impl Renderer {
+    /// Finds the surface that a camera sees. At each pixel, a Gaussian lies where it is densest on the pixel's ray; the surface is
+    /// the median of these places, weighted as in Eq. 12.
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::render`].
+    pub fn surface(&self, scene: &DeviceScene, camera: &Camera) -> Result<Surface> {
+        let pixels = camera.width as usize * camera.height as usize;
+        let mut found = Surface {
+            camera: camera.clone(),
+            depth: memory::zeros(pixels, "the depth of a view")?,
+            color: memory::zeros(pixels, "the color of a view")?,
+        };
+        let densities = self.densities(scene, camera)?;
+        let pass = self.pass(scene, from_ref(camera));
+        for batch in bands(0, [camera.width, camera.height], SIDE) {
+            pass.each_part(&batch?, |part_tiles| {
+                let part = Part::evaluate(scene, from_ref(camera), part_tiles, false, None)?;
+                let splats = PartSplats::read(self.device(), &part)?;
+                let image = self.device().read(&part.composite.image)?;
+                found.fill(part_tiles, &splats, &image, &densities);
+                Ok(())
+            })?;
+        }
+        Ok(found)
+    }
+
+    /// The density of each Gaussian along the rays from a camera.
+    fn densities(&self, scene: &DeviceScene, camera: &Camera) -> Result<Vec<Density>> {
+        let device = self.device();
+        let gaussians = &scene.tensors.gaussians;
+        let position = device.read(&gaussians.position)?;
+        let rotation = device.read(&gaussians.rotation)?;
+        let log_scale = device.read(&gaussians.log_scale)?;
+        let eye = DVec3::from(camera.eye());
+        let places = position.as_chunks::<3>().0.par_iter();
+        let shapes = rotation.as_chunks::<4>().0.par_iter().zip(log_scale.as_chunks::<3>().0);
+        let density = |(place, (turn, log)): (&[f32; 3], (&[f32; 4], &[f32; 3]))| {
+            let [w, x, y, z] = turn.map(f64::from);
+            let turn = DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize());
+            let inverse = DVec3::from(log.map(|log| (-f64::from(log)).exp()));
+            let to_ball = DMat3::from_diagonal(inverse) * turn.transpose();
+            Density { to_ball, center: to_ball * (DVec3::from(place.map(f64::from)) - eye) }
+        };
+        Ok(places.zip(shapes).map(density).collect())
+    }
+}
+
+impl Surface {
+    /// The places of all pixels that show a surface, in the scene.
+    pub fn places(&self) -> impl Iterator<Item = DVec3> {
+        let width = self.camera.width as usize;
+        let eye = DVec3::from(self.camera.eye());
+        let pixels = self.depth.iter().enumerate().filter(|(_, depth)| **depth > 0.0);
+        pixels.map(move |(at, &depth)| {
+            let ray = self.camera.ray([at % width, at / width].map(|at| at as f64 + 0.5));
+            eye + f64::from(depth) * ray
+        })
+    }
+
+    /// Fills in the pixels of a part's tiles.
+    fn fill(
+        &mut self,
+        part_tiles: &PartTiles,
+        splats: &PartSplats,
+        image: &[f32],
+        densities: &[Density],
+    ) {
+        let [width, height] = [self.camera.width, self.camera.height].map(|side| side as i32);
+        let side = part_tiles.side as i32;
+        let camera = &self.camera;
+        let in_tile = |(index, Tile { origin: [left, top], .. }): (usize, Tile)| {
+            let pixels = (0..side * side).map(move |at| (at, [left + at % side, top + at / side]));
+            let inside = pixels.filter(move |(_, [x, y])| *x < width && *y < height);
+            inside.map(move |(at, pixel)| {
+                let ray = camera.ray(pixel.map(|at| f64::from(at) + 0.5));
+                let mut reaching =
+                    splats.at(index, pixel, |gaussian| densities[gaussian].densest(ray));
+                let depth = surface(&mut reaching).filter(|(_, sum)| *sum >= SOLID);
+                let channel = |channel: i32| {
+                    image[((3 * index as i32 + channel) * side * side + at) as usize]
+                };
+                let color = [0, 1, 2].map(|at| to_8_bit(channel(at)));
+                let place = (pixel[1] * width + pixel[0]) as usize;
+                (place, depth.map_or(0.0, |(depth, _)| depth.max(0.0) as f32), color)
+            })
+        };
+        let tiles = part_tiles.tiles.par_iter().map(|tile| tile.tile).enumerate();
+        for (place, depth, color) in tiles.flat_map_iter(in_tile).collect::<Vec<_>>() {
+            self.depth[place] = depth;
+            self.color[place] = color;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use muslin_check::devices;
+
+    use super::*;
+    use organza_core::scene::Scene;
+
+    /// Flat Gaussians on a plane, whose depth at each pixel is known.
+    #[test]
+    fn a_plane_of_flat_gaussians_has_the_depth_of_the_plane() {
+        let places = |at: i32| f64::from(at) * 0.1;
+        let tilt = DQuat::from_rotation_x(0.7);
+        let mut scene = Scene::zeros(organza_core::demo::config(), 41 * 41).unwrap();
+        scene.transmittance.network.layers.last_mut().unwrap().bias[0] = 50.0;
+        let all = (-20..=20).flat_map(|y| (-20..=20).map(move |x| [places(x), places(y), 0.0]));
+        let gaussians = &mut scene.gaussians;
+        gaussians.position =
+            all.map(|place| (tilt * DVec3::from(place)).as_vec3().to_array()).collect();
+        let [x, y, z, w] = tilt.to_array().map(|part| part as f32);
+        gaussians.rotation.fill([w, x, y, z]);
+        gaussians.log_scale.fill([0.08_f32.ln(), 0.08_f32.ln(), -9.0]);
+        gaussians.opacity.fill(2.0);
+        let up = [0.0, 1.0, 0.0];
+        let camera = Camera::look_at([0.0, 0.0, 4.0], [0.0; 3], up, 0.4, [40, 30]).unwrap();
+        let renderer = Renderer::new(devices::cpu(Some(1)));
+        let scene = renderer.upload(&scene).unwrap();
+        let found = renderer.surface(&scene, &camera).unwrap();
+        let normal = tilt * DVec3::Z;
+        for (at, &depth) in found.depth.iter().enumerate() {
+            let ray = camera.ray([at % 40, at / 40].map(|at| at as f64 + 0.5));
+            let expected = -4.0 * normal.z / normal.dot(ray);
+            assert!((f64::from(depth) - expected).abs() < 1e-3, "{at}: {depth} {expected}");
+        }
+        // away from the plane, there is nothing
+        let away = Camera::look_at([0.0, 0.0, 4.0], [0.0, 0.0, 9.0], up, 0.4, [8, 8]).unwrap();
+        let found = renderer.surface(&scene, &away).unwrap();
+        assert!(found.depth.iter().all(|&depth| depth == 0.0));
+    }
+}

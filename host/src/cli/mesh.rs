@@ -1,0 +1,106 @@
+//! `organza mesh`: writes the surfaces of a scene as a mesh.
+
+use std::path::PathBuf;
+
+use organza::camera::{Orbit, Target};
+use organza::error::format_bytes;
+use organza::splats::{Mesh, MeshFormat, save_mesh};
+use organza::{Camera, Result, Scene};
+
+use super::console::Console;
+use super::device::{DeviceArgs, SceneArgs};
+use super::inputs::{Cameras, DataArgs, SceneSource};
+use super::output::check_file;
+use super::summary::grouped;
+
+const USAGE: &str = "organza mesh SCENE CAMERAS -o FILE";
+
+const EXAMPLES: &str = "\
+Examples:
+  organza mesh run -o room.glb                       for Blender, game engines and viewers
+  organza mesh run -o room.ply --size 512            finer
+  organza mesh run -o room.obj --faces 50000         smaller
+  organza mesh scene.safetensors transforms.json -o room.glb
+
+At each pixel of the cameras' views, the surface is the median of the Gaussians' places, as their weights have it. The surfaces \
+are put together in a grid, and the mesh is where the grid's signed distance is 0. It has only what cameras see, and no parts that \
+float. Colors are the views' means. The unit is the meter if the scene knows it, and y is up in .glb.";
+
+/// Write the surfaces that the cameras see as a mesh: .glb, .ply or .obj
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The scene, safetensors, or the folder of a training run
+    scene: PathBuf,
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
+    cameras: Option<PathBuf>,
+    /// The file. Its extension chooses the format
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Cells of the grid along the longest side of the scene
+    #[arg(long, value_name = "N", default_value_t = 384)]
+    #[arg(value_parser = clap::value_parser!(u32).range(16..=2048))]
+    size: u32,
+    /// The largest number of triangles: with more, the grid has larger cells
+    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+    #[arg(value_parser = clap::value_parser!(u32).range(100..))]
+    faces: u32,
+    /// Longest side of the views, in pixels
+    #[arg(long, value_name = "S", default_value_t = 512)]
+    #[arg(value_parser = clap::value_parser!(u32).range(16..=4096))]
+    side: u32,
+    #[command(flatten)]
+    data: DataArgs,
+    #[command(flatten)]
+    scene_args: SceneArgs,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let format = MeshFormat::from_path(&args.output)?;
+    let source = SceneSource::find(&args.scene)?;
+    let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
+    check_file(&args.output, &inputs)?;
+    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, USAGE, console)?.list;
+    let scene = source.load(console)?;
+    let renderer = args.device.open(console)?;
+    let uploaded = args.scene_args.upload(&renderer, &scene)?;
+    let mut surfaces = Vec::new();
+    {
+        let progress = console.progress("finding surfaces", cameras.len(), "views");
+        for camera in &cameras {
+            surfaces.push(renderer.surface(&uploaded, &camera.within(args.side))?);
+            progress.advance(1);
+        }
+    }
+    let mesh = console.during("putting surfaces together", || {
+        Mesh::of_surfaces(&surfaces, limits(&scene, &cameras), args.size, args.faces as usize)
+    })?;
+    let placement = &scene.config.placement;
+    let up = Orbit::around(&cameras)?.up;
+    if let Some([x, y, z]) = save_mesh(&mesh, &args.output, format, up, placement)? {
+        console.warn(&format!(
+            "the scene is so far from the origin that positions of 32 bits would be rounded too much: those in the file are \
+             relative to {x},{y},{z}"
+        ));
+    }
+    let bytes = std::fs::metadata(&args.output).map_or(0, |file| file.len());
+    let file = args.output.display();
+    let [triangles, vertices] = [mesh.face.len(), mesh.position.len()].map(|n| grouped(n as u64));
+    let size = format_bytes(bytes);
+    console
+        .note(&format!("wrote {triangles} triangles with {vertices} vertices to {file}, {size}"));
+    Ok(())
+}
+
+/// The box of the mesh: what has nearly all of the opacity. If the cameras look at one place, only what their images show around it.
+fn limits(scene: &Scene, cameras: &[Camera]) -> [[f64; 3]; 2] {
+    let [low, high] = scene.visible_box();
+    let target = Target::from_cameras(cameras);
+    if !target.is_met {
+        return [low, high];
+    }
+    let [lowest, highest] = target.ball(1.0);
+    [lowest.max(low.into()).to_array(), highest.min(high.into()).to_array()]
+}

@@ -72,17 +72,19 @@ impl Store {
     /// Creates an empty file in the folder that `TMPDIR` names, or else in `/var/tmp`: `/tmp` may be memory.
     fn new() -> Result<Self> {
         let lasting = Path::new("/var/tmp");
-        let is_chosen = env::var_os("TMPDIR").is_some() || !lasting.is_dir();
-        let folder = if is_chosen { env::temp_dir() } else { lasting.to_owned() };
-        Self::within(folder)
+        let chosen = env::var_os("TMPDIR").filter(|folder| !folder.is_empty());
+        let usual = if lasting.is_dir() { lasting.to_owned() } else { env::temp_dir() };
+        Self::within(chosen.map_or(usual, PathBuf::from))
     }
 
     fn within(folder: PathBuf) -> Result<Self> {
-        if !folder.is_dir() {
-            let reason = "`TMPDIR` names this folder for temporary files, but it does not exist; make it, or let `TMPDIR` name another";
-            return invalid(folder, reason.to_owned());
-        }
-        let file = tempfile::tempfile_in(&folder).map_err(|e| Error::write(&folder, e))?;
+        let file = tempfile::tempfile_in(&folder).or_else(|error| {
+            let why = error.kind();
+            let reason = format!(
+                "no temporary file can be made there ({why}); let `TMPDIR` name another folder"
+            );
+            invalid(&folder, reason)
+        })?;
         Ok(Self { folder, file: Mutex::new((file, 0)) })
     }
 
@@ -188,11 +190,16 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_that_is_not_there_is_the_variable_s() {
+    fn a_folder_that_takes_no_files_is_the_variable_s() {
         let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        std::fs::write(&file, "").unwrap();
         Store::within(folder.path().to_owned()).unwrap();
-        let error = Store::within(folder.path().join("absent")).unwrap_err().to_string();
-        assert!(error.contains("absent: `TMPDIR` names this folder"), "{error}");
+        for bad in [file, folder.path().join("absent")] {
+            let error = Store::within(bad.clone()).unwrap_err().to_string();
+            let facts = [&*bad.to_string_lossy(), "let `TMPDIR` name another folder"];
+            assert!(facts.iter().all(|fact| error.contains(fact)), "{error}");
+        }
     }
 
     #[test]

@@ -93,8 +93,8 @@ fn is_pose(line: &str) -> bool {
 type Row = (u64, [f64; 3], [f64; 3], Support);
 
 fn point(mut line: &str) -> Result<Row, String> {
-    let id = value(&mut line, "POINT3D_ID").map_err(|reason| {
-        format!("{reason} without a fraction; a line begins with the point's id: is it left out?")
+    let id = whole(&mut line, "POINT3D_ID").map_err(|reason| {
+        format!("{reason}; a line begins with the point's id: is it left out?")
     })?;
     let mut next = |name| value(&mut line, name);
     let position = [next("X")?, next("Y")?, next("Z")?];
@@ -114,7 +114,7 @@ fn channel(line: &mut &str, name: &str) -> Result<f64, String> {
     }
 }
 
-/// A number of pixels, also as `96.0`.
+/// A number of pixels or of a point, also as `96.0`.
 fn whole(line: &mut &str, name: &str) -> Result<u64, String> {
     let number: f64 = value(line, name)?;
     match number >= 0.0 && number.fract() == 0.0 {

@@ -107,7 +107,7 @@ fn numbers_of_other_programs_are_read() {
     for (max, digits) in [(255.0, 1), (255.0, 4), (1.0, 6)] {
         let line = |(id, [x, y, z], color): &(u64, [f64; 3], [u8; 3])| {
             let [r, g, b] = color.map(|value| f64::from(value) * max / 255.0);
-            format!("{id} {x} {y} {z} {r:.digits$} {g:.digits$} {b:.digits$} nan 1 0\n")
+            format!("{id}.0 {x} {y} {z} {r:.digits$} {g:.digits$} {b:.digits$} nan 1 0\n")
         };
         let lines: String = model.points.iter().map(line).collect();
         std::fs::write(file("points3D.txt"), lines).unwrap();

@@ -221,7 +221,9 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     }
     let NodeContents { splats, positions, is_placed, notes } = found;
     if splats.is_empty() {
-        return invalid(path, format!("it has no Gaussians of {EXTENSION}"));
+        let reason =
+            format!("it has no Gaussians of {EXTENSION}; write them as these, or as a .ply");
+        return invalid(path, reason);
     }
     let file = SplatFile { is_placed, notes, ..SplatFile::new(path, "glTF", splats) };
     Ok(file.with_positions(&positions))

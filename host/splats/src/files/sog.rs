@@ -180,7 +180,7 @@ type Pixel = [u8; 4];
 
 /// Where the images of a file are.
 enum Images {
-    /// An archive, and the folder in it that has them: empty, or ending in `/`.
+    /// An archive, and the folder in it that has them: empty, or ending in `/`, or in `\` as some on Windows.
     Archive(ZipArchive<Cursor<Vec<u8>>>, String),
     Folder(PathBuf),
 }
@@ -202,8 +202,8 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     let archive = archive.or_else(|error| damaged(path, error))?;
     // some programs pack the folder, not what is in it
     let folders = archive.file_names().filter_map(|name| name.strip_suffix(META));
-    let folder =
-        folders.filter(|name| name.is_empty() || name.ends_with('/')).min_by_key(|name| name.len());
+    let is_folder = |name: &&str| name.is_empty() || name.ends_with(['/', '\\']);
+    let folder = folders.filter(is_folder).min_by_key(|name| name.len());
     let Some(folder) = folder.map(str::to_owned) else {
         let reason = format!(
             "it is a ZIP archive without {META}, so it is no SOG file; unpack it, and name a file in it"
@@ -546,7 +546,9 @@ mod tests {
             assert_eq!(all.color[0], one_color.color[0]);
             assert_eq!(one_color.color[1..], [[0.0; 3]; OTHERS]);
         }
-        assert_eq!(read_bytes(&within("scene/", |_| ())).unwrap(), all);
+        for folder in ["scene/", "scene\\"] {
+            assert_eq!(read_bytes(&within(folder, |_| ())).unwrap(), all);
+        }
         // the first value goes on as the others do
         let without = with(|meta| meta["scales"]["codebook"][0] = Value::Null);
         for (all, found) in all.iter().zip(read_bytes(&without).unwrap()) {

@@ -117,4 +117,6 @@ fn files_of_no_known_kind() {
         sandbox.write("a.txt", content);
         sandbox.assert_refuses("info a.txt", &["a.txt", fact]);
     }
+    sandbox.write("a.zip", b"PK\x03\x04\0\0\0\0");
+    sandbox.assert_refuses("info a.zip", &["a.zip", "a ZIP archive: unpack it"]);
 }

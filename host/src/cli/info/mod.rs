@@ -14,7 +14,7 @@ use organza::{Camera, DatasetOptions, Error, Result, Scene, TileBatch};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
-use super::inputs::{FileKind, SceneSource};
+use super::inputs::{FileKind, SceneSource, told_apart};
 use crate::cli::summary::{Table, count, number};
 use crate::cli::text_of;
 
@@ -60,7 +60,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             Err(Error::WrongFormat { found, .. }) if found == "missing" => {
                 show(args, &TensorFile::load(path)?)
             }
-            Err(error) => Err(error),
+            Err(error) => Err(told_apart(error, path, FileKind::Scene)),
         },
     }
 }

@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use super::{TensorInfo, table};
 use crate::cli::summary::grouped;
+use crate::cli::text_of;
 
 #[derive(Debug, Serialize)]
 pub struct SplatInfo {
@@ -47,7 +48,7 @@ impl SplatInfo {
         };
         Ok(Self {
             kind: "Gaussians",
-            file: path.display().to_string(),
+            file: text_of(path),
             file_bytes: path.is_file().then(|| super::file_bytes(path)),
             format,
             gaussians: splats.len(),

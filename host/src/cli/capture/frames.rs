@@ -156,7 +156,8 @@ impl CaptureJob<'_> {
         let filters = format!("select='{}',{colors}scale={width}:{height}", select.join("+"));
         ffmpeg.command.arg("-vf").arg(filters);
         ffmpeg.option("-fps_mode", "passthrough");
-        ffmpeg.command.arg(folder.join("%05d.png"));
+        // a folder's own name may have a percent sign
+        ffmpeg.command.current_dir(folder).arg("%05d.png");
         self.console.during("writing frames", || self.programs.run(ffmpeg, |_| {}))?;
         // ffmpeg counts what it writes. A name says which frame of the video it is.
         for (written, frame) in chosen.iter().enumerate() {

@@ -161,6 +161,11 @@ fn bad_inputs_are_refused() {
     sandbox.write("beer.mp4", "not a video");
     let outcome = sandbox.shell("PATH=/nowhere \"$ORGANZA\" train beer.mp4 -o run-2");
     outcome.assert_refused(&["not installed: ffmpeg colmap"]);
+    // Poses of LLFF are there.
+    sandbox.write("llff/poses_bounds.npy", "");
+    sandbox.copy_file("photos/1.jpg", "llff/images_8/1.jpg");
+    let facts = ["poses_bounds.npy, are not read", "llff -o NEW` finds the poses"];
+    sandbox.assert_refuses("train llff -o run-2", &facts);
     // A folder of data sets is none of photographs.
     sandbox.copy_file("cameras.json", "sets/one/transforms.json");
     sandbox.copy_file("photos/1.jpg", "sets/one/1.jpg");
@@ -199,6 +204,8 @@ esac
 
 /// Stands in for ffmpeg, for a video of 60 frames. The last 20 have the size that the file `second-size` says.
 const FFMPEG: &str = r#"#!/bin/sh
+here=$PWD
+cd "${0%/*}/.."
 case "$*" in
     -version) echo "ffmpeg version $(sed -n 's/^ffmpeg //p' known) Copyright" && exit ;;
     *"-h long") sed -n 's/^-.*/&[:<stream_spec>]  does something/p' known && exit ;;
@@ -220,7 +227,7 @@ case $last in
             echo "[Parsed_showinfo_0 @ 0x1] [info] color_range:tv color_trc:$trc" >&2
         done
         head -c $((60 * 960 * 540)) /dev/zero ;;
-    *) for frame in $(seq $(echo "$@" | grep -o 'eq(n' | wc -l)); do cp photos/00.png "$(printf "$last" $frame)"; done ;;
+    *) for frame in $(seq $(echo "$@" | grep -o 'eq(n' | wc -l)); do cp photos/00.png "$here/$(printf "$last" $frame)"; done ;;
 esac
 "#;
 
@@ -835,6 +842,10 @@ fn photographs_are_found_in_the_folders_of_a_camera() {
     write_photo(&sandbox, "photos/edited/small.png", [4, 3], 0);
     sandbox.write("photos/12.heic", "HEIC");
     write_model(&sandbox, "found-1/0", &walk(photos(12)), 0.7, 20);
+    sandbox.shell("mkdir set && cp -r photos set/images && cp -r photos set/masks").assert_ok();
+    capture(&sandbox, "set -o set-data")
+        .assert_ok()
+        .says(&["of set/images, and of no folder beside", "12 of 12"]);
     capture(&sandbox, "photos -o other").assert_ok().says(&[
         "not taking 1 photograph as HEIC; convert",
         "not taking 1 photograph of folders within, such as photos/edited/small.png",
@@ -849,7 +860,7 @@ fn frames_of_another_size_and_of_more_brightness_are_said() {
     sandbox.write("second-size", "540x960");
     sandbox.write("transfer", "arib-std-b67");
     write_model(&sandbox, "found-1/0", &walk(frames(0..40)), 0.7, 20);
-    let outcome = capture(&sandbox, "film.mp4 -o data").assert_ok();
+    let outcome = capture(&sandbox, "film.mp4 -o '100% of it'").assert_ok();
     let words = [
         "the frames of film.mp4 change their size: 960 x 540 pixels are used, and 20 of 60 are left out",
         "taking the 40 sharpest of 60 frames",

@@ -25,6 +25,7 @@ mod transforms;
 
 use std::collections::HashMap;
 use std::fs;
+use std::hash::Hash;
 use std::path::{Path, PathBuf};
 
 pub use colmap::SparseModel;
@@ -45,6 +46,9 @@ use organza_core::{Camera, Result};
 pub use photograph::{DatasetKind, Frame, Photograph, Point};
 pub use poses::{Pose, Poses, kind_of};
 pub use random::random;
+
+/// The file of LLFF's poses, which are not read.
+pub const LLFF: &str = "poses_bounds.npy";
 
 /// Places of points in one unit of a scene, which the cameras see from four units.
 const POINT_STEPS: f64 = 16384.0;
@@ -166,28 +170,34 @@ impl Dataset {
 
 /// A note if photographs are equal.
 fn repeated(shots: &[Shot], digests: &[Digest]) -> Option<String> {
-    let mut first = HashMap::new();
-    let mut pairs = Vec::new();
-    for (shot, digest) in shots.iter().zip(digests) {
-        let earlier = *first.entry(digest).or_insert(shot);
-        let is_one_panorama = shot.lens.cut.is_some() && earlier.path == shot.path;
-        if !std::ptr::eq(earlier, shot) && !is_one_panorama {
-            pairs.push((earlier, shot));
-        }
-    }
-    let split = pairs.iter().find(|(a, b)| a.held_out != b.held_out);
-    let (a, b) = split.or(pairs.first())?;
-    let others = match pairs.len() {
-        1 => String::new(),
-        count => format!(", and {} more such pairs", count - 1),
-    };
-    let a = a.path.display();
-    let b = b.path.display();
-    let mut note = format!("the same photograph is there twice: {a} and {b}{others}");
+    let mut pairs = equal_pairs(digests.iter().zip(shots));
+    // views of one panorama share its file
+    pairs.retain(|[a, b]| b.lens.cut.is_none() || a.path != b.path);
+    let split = pairs.iter().find(|[a, b]| a.held_out != b.held_out);
+    let [a, b] = split.or(pairs.first())?;
+    let mut note = there_twice([&a.path, &b.path], pairs.len());
     if split.is_some() {
         note += "; one of these is held out and the other trained on, so measurements are too good";
     }
     Some(note)
+}
+
+/// The items whose key is there already, each after the first with this key.
+pub fn equal_pairs<'a, K: Eq + Hash, T>(
+    items: impl Iterator<Item = (K, &'a T)>,
+) -> Vec<[&'a T; 2]> {
+    let mut first = HashMap::new();
+    let pair = |(key, item)| [*first.entry(key).or_insert(item), item];
+    items.map(pair).filter(|[a, b]| !std::ptr::eq(*a, *b)).collect()
+}
+
+/// Says that photographs are equal: one pair of all.
+pub fn there_twice([a, b]: [&Path; 2], pairs: usize) -> String {
+    let others = match pairs {
+        1 => String::new(),
+        pairs => format!(", and {} more such pairs", pairs - 1),
+    };
+    format!("the same photograph is there twice: {} and {}{others}", a.display(), b.display())
 }
 
 /// A point of the world in the scene's coordinates. It is rounded to a step finer than any data set's precision, so
@@ -298,14 +308,15 @@ fn hint(path: &Path, missing: Option<&Path>) -> Option<String> {
         let mut files = fs::read_dir(folder).into_iter().flatten().flatten();
         files.any(|file| has_extension(&file.path(), &["jpg", "jpeg", "png"]))
     };
-    let photographs = [path.to_owned(), path.join("images")].into_iter().find(photographs);
-    let capture = photographs.map(|folder| {
+    let named = [path.to_owned(), path.join("images")].into_iter().find(photographs);
+    let named = named.or_else(|| folders.iter().any(photographs).then(|| path.to_owned()));
+    let capture = named.map(|folder| {
         let folder = folder.display();
         format!("; `organza capture {folder} -o NEW` finds the poses of photographs")
     });
-    if path.join("poses_bounds.npy").exists() {
+    if path.join(LLFF).exists() {
         let capture = capture.unwrap_or_default();
-        return Some(format!("; the poses of LLFF, poses_bounds.npy, are not read{capture}"));
+        return Some(format!("; the poses of LLFF, {LLFF}, are not read{capture}"));
     }
     let dense = ["dense/0", "dense"].map(|name| path.join(name));
     let mut nested = dense.into_iter().chain(folders);

@@ -10,6 +10,7 @@ use std::borrow::Borrow;
 use std::fs::{self, Metadata};
 use std::path::{Path, PathBuf};
 
+use organza::data::LLFF;
 use organza::{Error, Result};
 use organza_core::{hex, write_inside};
 use serde::{Deserialize, Serialize};
@@ -122,7 +123,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 /// Whether a path has a video, or photographs that are no data set: what is captured before it can be trained.
 pub fn is_source(path: &Path) -> bool {
     match path.is_dir() {
-        true => FileKind::from_path(path).is_none() && source::has_photographs(path),
+        true => {
+            let is_known = FileKind::from_path(path).is_some() || path.join(LLFF).exists();
+            !is_known && source::has_photographs(path)
+        }
         false => organza::data::is_video(path),
     }
 }

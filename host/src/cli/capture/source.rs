@@ -5,6 +5,7 @@ use std::fs::{self, File};
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
+use organza::data::{equal_pairs, there_twice};
 use organza::{Error, Result};
 use organza_core::hex;
 use organza_core::input::{has_extension, open_regular, read_file};
@@ -67,6 +68,15 @@ impl<'a> Source<'a> {
     /// The photographs of a folder, or else of the folders in it.
     fn folder(path: &Path, console: Console) -> Result<Self> {
         let own = Listed::of(path)?;
+        // a data set has masks and smaller photographs beside it
+        let images = path.join("images");
+        let is_data = Listed::of(&images).is_ok_and(|images| !images.photographs.is_empty());
+        if is_data && own.photographs.is_empty() {
+            let note =
+                format!("taking photographs of {}, and of no folder beside it", images.display());
+            console.note(&note);
+            return Self::folder(&images, console);
+        }
         let below = own.below(DEPTH);
         let [few, heic] = [below.photographs.len(), own.heic + below.heic]
             .map(|number| count(number as u64, "photograph"));
@@ -176,23 +186,11 @@ impl<'a> Source<'a> {
     /// What to say if photographs are equal.
     pub fn copies(&self) -> Option<String> {
         let Self::Photographs(photographs) = self else { return None };
-        let mut first = HashMap::new();
-        let pairs: Vec<_> = photographs
-            .iter()
-            .filter_map(|photograph| {
-                let earlier = *first.entry(&photograph.digest).or_insert(photograph);
-                (!std::ptr::eq(earlier, photograph)).then_some((earlier, photograph))
-            })
-            .collect();
-        let (a, b) = pairs.first()?;
-        let [a, b] = [a, b].map(|photograph| photograph.path.display());
-        let others = match pairs.len() {
-            1 => String::new(),
-            count => format!(", and {} more such pairs", count - 1),
-        };
+        let pairs = equal_pairs(photographs.iter().map(|photo| (&photo.digest, photo)));
+        let [a, b] = pairs.first()?;
+        let note = there_twice([&a.path, &b.path], pairs.len());
         Some(format!(
-            "the same photograph is there twice: {a} and {b}{others}. A copy shows nothing new, and a held-out one makes \
-             measurements too good: leave copies out"
+            "{note}. A copy shows nothing new, and a held-out one makes measurements too good: leave copies out"
         ))
     }
 }
@@ -261,10 +259,8 @@ impl Listed {
 /// Whether a folder has photographs, or folders within it, none of which is a data set.
 pub fn has_photographs(folder: &Path) -> bool {
     let own = Listed::of(folder).unwrap_or_default();
-    if own.has_any() || own.folders.iter().any(|folder| FileKind::from_path(folder).is_some()) {
-        return own.has_any();
-    }
-    own.below(DEPTH).has_any()
+    let has_data = own.folders.iter().any(|folder| FileKind::from_path(folder).is_some());
+    own.has_any() || !has_data && own.below(DEPTH).has_any()
 }
 
 fn name_of(path: &Path) -> String {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio, exit};
+use std::time::SystemTime;
 use std::{env, fmt, fs};
 
 use crate::artifacts::Artifacts;
@@ -285,10 +286,12 @@ fn build(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String, Vec<
         .env(COMPILES, "1")
         .env("RUSTC_ICE", "0")
         .env("CARGO_TERM_COLOR", "never");
+    let start = SystemTime::now();
     let output = child.stdin(Stdio::null()).output()?;
     let said = String::from_utf8_lossy(&output.stderr);
     if !output.status.success() {
-        bail!("{}", errors::explain(&said, &project.root, &project.shader_crate));
+        let crashed = unwritten(project, start).filter(|_| said.contains("(signal: "));
+        bail!("{}", errors::explain(&said, crashed, &project.root, &project.shader_crate));
     }
     // warnings of the kernels' crate
     said.split_inclusive('\n')
@@ -300,6 +303,24 @@ fn build(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String, Vec<
         Some(fs::read(path).map(|module| (name.to_owned(), module)))
     };
     Ok(modules.lines().filter_map(read).collect::<Result<_, _>>()?)
+}
+
+/// The entry point after the last one that has a module since `start`: the compiler writes them in the order of their names.
+fn unwritten(project: &Project, start: SystemTime) -> Option<&'static str> {
+    let folder = project.target.join(format!("spirv/{TARGET}/release/deps"));
+    let mut modules: Vec<_> =
+        fs::read_dir(folder).ok()?.flatten().map(|file| file.path()).collect();
+    modules.retain(|path| path.extension().is_some_and(|name| name == "spvs"));
+    let is_new = |name: &&str| {
+        let files = modules.iter().map(|folder| folder.join(name).with_extension("spv"));
+        let times = files.filter_map(|file| fs::metadata(file).ok()?.modified().ok());
+        times.max().is_some_and(|time| time >= start)
+    };
+    let points = muslin_kernel::kernels().flat_map(|kernel| kernel.entry_points());
+    let mut names: Vec<_> = points.map(|point| point.name).collect();
+    names.sort_unstable();
+    let last = names.iter().rposition(is_new)?;
+    names.get(last + 1).copied()
 }
 
 /// Runs the compiler on a crate of kernels. Returns the files of the modules by entry point.

@@ -11,7 +11,7 @@ use syn::visit::{self, Visit};
 use syn::{Attribute, ImplItemFn, Item, ItemFn, Signature, Type};
 
 /// Parts of the compiler's messages, and our words for them.
-const CAUSES: [(&str, &str); 11] = [
+const CAUSES: [(&str, &str); 16] = [
     (
         "raw_eq",
         "arrays are compared, by `==` or within a struct with `PartialEq`; compare their elements",
@@ -22,7 +22,7 @@ const CAUSES: [(&str, &str); 11] = [
     ),
     (
         "PolymorphicIter",
-        "a `for` loop does not see that it goes over an array; give the array a name with `let`",
+        "an array becomes an iterator, and GPUs have no pointers; give it a name with `let`, and loop over it with `for`",
     ),
     (
         "cannot memcpy",
@@ -32,6 +32,12 @@ const CAUSES: [(&str, &str); 11] = [
         "to `*[",
         "an array becomes a slice, and GPUs have no pointers; take its elements by an index, or loop over it with `for`",
     ),
+    (
+        "found for type `f32`",
+        "core lacks it; `muslin::math` has `floor`, `ceil`, `round`, `truncate`, `sqrt`, `exp` and others",
+    ),
+    ("to `*i8`", OF_SMALL_INTEGERS),
+    ("to `*i16`", OF_SMALL_INTEGERS),
     (
         "cannot cast between pointer types",
         "a value changes its type through a pointer, which GPUs lack; an enum's variants have data of the same types, or use a struct of numbers",
@@ -44,7 +50,12 @@ const CAUSES: [(&str, &str); 11] = [
         "Bitcast",
         "an array of bytes becomes an integer, or an integer such an array; shift, and mask with 0xff",
     ),
-    ("unsupported unsized", "there is a text, as of a panic, and GPUs have none"),
+    ("(signal: ", "the compiler crashes; leave out parts of the kernel to find which one it is"),
+    ("globals are not", "GPUs have no `static`; make it a `const`"),
+    (
+        "unsupported unsized",
+        "there is a slice, or a text as of a panic, and GPUs have none; give an array its length, `&[u32; 4]`",
+    ),
     (
         "not implemented yet",
         "the compiler for GPUs lacks a method of integers; `muslin::math` has some",
@@ -55,17 +66,23 @@ const CAUSES: [(&str, &str); 11] = [
     ),
 ];
 
+const OF_SMALL_INTEGERS: &str =
+    "the compiler for GPUs has this method for 32 bits alone; write it of `x as i32`";
+
 /// Most lines of the compiler's own words.
 const LINES: usize = 30;
 
-/// The message for what the compiler has said of the crate of kernels.
-pub fn explain(said: &str, root: &Path, shader_crate: &str) -> String {
+/// The message for what the compiler has said of the crate of kernels. `crashed` is the entry point in which it has ended without a word.
+pub fn explain(said: &str, crashed: Option<&str>, root: &Path, shader_crate: &str) -> String {
     let lines: Vec<_> = said.lines().collect();
     let begin = lines.iter().position(|line| line.starts_with("error")).unwrap_or(0);
     let error = &lines[begin..];
+    // the first of several
+    let is_start = |line: &&str| line.starts_with("error");
+    let end = error.iter().skip(1).position(is_start).map_or(error.len(), |end| end + 1);
+    let error = &error[..end];
     let headline = error.first().copied().unwrap_or("it says nothing");
     let headline = headline.split_once(": ").map_or(headline, |(_, headline)| headline);
-    // others that follow have the same cause
     let first = error.iter().take_while(|line| !line.contains("--> "));
     let has = |part: &&(&str, &str)| first.clone().any(|line| line.contains(part.0));
     let cause = CAUSES.iter().find(has);
@@ -73,6 +90,7 @@ pub fn explain(said: &str, root: &Path, shader_crate: &str) -> String {
     let place = error.iter().find_map(|line| place(line));
     let named = error.iter().rev().find_map(|line| kernel(line));
     let named = named.or_else(|| error.iter().rev().find_map(|line| function(said, line)));
+    let named = named.or_else(|| crashed.map(str::to_owned));
     let within = place.and_then(|(file, line)| enclosing(&root.join(file), line));
     let start = match (place, named.or(within)) {
         (Some((file, line)), Some(name)) => format!("{file}:{line}: in `{name}`: "),
@@ -219,11 +237,20 @@ mod tests {
                 "src/lib.rs:2: in `add`: no method named `sinh`. The compiler behind says:\n  error[E0599]",
             ),
             (
+                "error: could not compile `kernels` (lib)\n\nCaused by:\n  rustc (signal: 6, SIGABRT)\n",
+                "in `peak_read`: the compiler crashes; leave out parts",
+            ),
+            (
                 "error: internal compiler error: raw_eq must be overridden\n",
                 "src/lib.rs:5: maybe in `Row`: arrays are compared",
             ),
         ] {
-            let message = explain(said, folder.path(), "src");
+            let message = explain(
+                said,
+                Some("peak_read").filter(|_| said.contains("signal")),
+                folder.path(),
+                "src",
+            );
             assert!(message.contains(expected), "{message}");
         }
     }

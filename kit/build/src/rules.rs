@@ -14,8 +14,9 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{
-    Attribute, BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, FnArg, ImplItemFn, Item,
-    ItemFn, Lit, Local, Macro, Pat, Signature, Stmt, TraitItemFn, Type,
+    Attribute, BinOp, Expr, ExprBinary, ExprCall, ExprField, ExprLit, ExprMethodCall, Field, FnArg,
+    ImplItemFn, Item, ItemFn, Lit, Local, Macro, Member, Pat, ReturnType, Signature, Stmt,
+    TraitItemFn, Type,
 };
 
 /// Checks the sources of a crate of kernels.
@@ -28,7 +29,7 @@ pub fn check(shader_crate: &Path) -> Result<()> {
     check_file(&folder.join("lib.rs"), &folder, &mut broken)?;
     match broken.is_empty() {
         true => Ok(()),
-        false => bail!("kernels break rules of the language:\n  {}", broken.join("\n  ")),
+        false => bail!("{}", broken.join("\n")),
     }
 }
 
@@ -37,7 +38,9 @@ fn check_file(path: &Path, folder: &Path, broken: &mut Vec<String>) -> Result<()
     let text =
         fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
     let file = syn::parse_file(&text).with_context(|| path.display().to_string())?;
-    let mut rules = Rules::new(path.display().to_string(), broken);
+    let mut found = WithArrays(["to_array".to_owned()].into());
+    found.visit_file(&file);
+    let mut rules = Rules::new(path.display().to_string(), found, broken);
     rules.visit_file(&file);
     check_modules(&file.items, path, folder, broken)
 }
@@ -92,6 +95,24 @@ fn is_of_host(attributes: &[Attribute]) -> bool {
     })
 }
 
+/// Names of fields that are arrays, and of functions that return one, in a file.
+struct WithArrays(HashSet<String>);
+
+impl<'ast> Visit<'ast> for WithArrays {
+    fn visit_field(&mut self, field: &'ast Field) {
+        let name = field.ident.as_ref().filter(|_| is_array_type(&field.ty));
+        self.0.extend(name.map(Ident::to_string));
+    }
+
+    fn visit_signature(&mut self, signature: &'ast Signature) {
+        if let ReturnType::Type(_, ty) = &signature.output
+            && is_array_type(ty)
+        {
+            self.0.insert(signature.ident.to_string());
+        }
+    }
+}
+
 /// A function that is looked at.
 struct Function {
     name: String,
@@ -102,7 +123,7 @@ struct Function {
 }
 
 /// Methods that the compiler for GPUs lacks, and what to write. A test on the CPU has them.
-const METHODS: [(&str, &str); 18] = [
+const METHODS: [(&str, &str); 19] = [
     (
         "sin cos tan asin acos atan atan2 ln exp2 log2 tanh saturating_add saturating_sub isqrt",
         "use `math::NAME`",
@@ -116,6 +137,7 @@ const METHODS: [(&str, &str); 18] = [
     ("hypot", "GPUs lack it; write `math::sqrt(x * x + y * y)`"),
     ("cbrt", "GPUs lack it; write `math::pow(x, 1.0 / 3.0)`, for x from 0 on"),
     ("sin_cos", "GPUs lack it; write `math::sin(x)` and `math::cos(x)`"),
+    ("midpoint", "GPUs lack it; write the sum of the halves"),
     ("sinh cosh", "GPUs lack it; write it with `math::exp`"),
     ("exp_m1", "GPUs lack it; write `math::exp(x) - 1.0`"),
     ("ln_1p", "GPUs lack it; write `math::ln(1.0 + x)`"),
@@ -130,8 +152,7 @@ const METHODS: [(&str, &str); 18] = [
 ];
 
 /// Methods of integers, and numbers, that GPUs lack.
-const PRODUCTS: &str =
-    "pow wrapping_pow checked_pow checked_mul overflowing_mul saturating_mul midpoint";
+const PRODUCTS: &str = "pow wrapping_pow checked_pow checked_mul overflowing_mul saturating_mul";
 const WIDE: &str = "u64 i64 u128 i128 f64";
 
 /// What to write instead.
@@ -144,6 +165,9 @@ const ITERATORS: &str = "fold rfold try_fold for_each try_for_each reduce any al
 
 /// Methods of iterators that loop within one round of a `for` loop.
 const SKIPPING: &str = "filter filter_map skip_while flat_map flatten map_while";
+
+/// Methods of iterators that the compiler cannot take apart.
+const UNKNOWN: &str = "map chain copied cloned inspect scan peekable cycle";
 
 /// Methods of ranges that do not loop.
 const OF_RANGES: &str = "contains is_empty len start end";
@@ -165,13 +189,15 @@ struct Rules<'a> {
     iterators: HashSet<Ident>,
     /// Variables of the function that are arrays.
     arrays: HashSet<Ident>,
+    with_arrays: WithArrays,
     broken: &'a mut Vec<String>,
 }
 
 impl<'a> Rules<'a> {
-    fn new(file: String, broken: &'a mut Vec<String>) -> Self {
+    fn new(file: String, with_arrays: WithArrays, broken: &'a mut Vec<String>) -> Self {
         Self {
             file,
+            with_arrays,
             function: None,
             loops: 0,
             iterators: HashSet::new(),
@@ -245,7 +271,14 @@ impl<'a> Rules<'a> {
 
     /// Whether an expression is seen to be an array.
     fn is_array(&self, expression: &Expr) -> bool {
+        let is_named = |name: &Ident| self.with_arrays.0.contains(&name.to_string());
         match expression {
+            Expr::Field(ExprField { member: Member::Named(name), .. }) => is_named(name),
+            Expr::MethodCall(call) => is_named(&call.method),
+            Expr::Call(call) => {
+                let Expr::Path(of) = &*call.func else { return false };
+                of.path.segments.last().is_some_and(|name| is_named(&name.ident))
+            }
             Expr::Paren(of) => self.is_array(&of.expr),
             Expr::Reference(of) => self.is_array(&of.expr),
             Expr::Path(of) => of.path.get_ident().is_some_and(|name| self.arrays.contains(name)),
@@ -274,6 +307,9 @@ impl<'a> Rules<'a> {
                 let name = call.method.to_string();
                 if is_one_of(SKIPPING, &name) {
                     self.iterator(call.method.span(), &format!("`.{name}()`"));
+                } else if is_one_of(UNKNOWN, &name) {
+                    let remedy = "the compiler for GPUs lacks it; compute it within the loop";
+                    self.report(call.method.span(), &format!("`.{name}()`"), remedy);
                 }
                 self.iterated(&call.receiver);
                 call.args.iter().for_each(|argument| self.visit_expr(argument));
@@ -467,7 +503,9 @@ impl<'ast> Visit<'ast> for Rules<'_> {
                     && let Some(name) = ty.path.get_ident().map(Ident::to_string)
                     && is_one_of(WIDE, &name)
                 {
-                    self.at_run_time(ty.span(), &format!("`{name}`"), OF_PRODUCTS);
+                    let remedy =
+                        if name == "f64" { "GPUs lack it; use `f32`" } else { OF_PRODUCTS };
+                    self.at_run_time(ty.span(), &format!("`{name}`"), remedy);
                 }
             }
             // computed by the compiler
@@ -523,10 +561,11 @@ fn is_usize(operand: &Expr) -> bool {
     }
 }
 
-/// Whether an expression is a number or the name of a constant.
+/// Whether an expression is a number, the name of a constant, or made of these, as `Vec3::splat(1.0)`.
 fn is_constant(expression: &Expr) -> bool {
     match expression {
         Expr::Lit(_) => true,
+        Expr::Call(call) => call.args.iter().all(is_constant),
         Expr::Unary(unary) => is_constant(&unary.expr),
         Expr::Path(path) => path.path.segments.last().is_some_and(|name| {
             !name.ident.to_string().contains(|letter: char| letter.is_lowercase())
@@ -591,8 +630,10 @@ mod tests {
             let message = body(wrong);
             let start = format!("lib.rs:3: {what} in `f`: nothing counts the rounds");
             assert!(message.contains(&start), "{wrong}: {message}");
-            assert_eq!(message.lines().count(), 2, "{message}");
+            assert_eq!(message.lines().count(), 1, "{message}");
         }
+        let message = body("for k in (0..n).map(|k| 2 * k) {}");
+        assert!(message.contains("lib.rs:3: `.map()` in `f`: the compiler for GPUs lacks it"));
         for right in [
             "for k in 0..n {}",
             "for k in (0..n).rev() {}",
@@ -646,6 +687,12 @@ mod tests {
             ("let y = u32::from_be_bytes(z);", "`u32::from_be_bytes()`", "shift the bytes"),
             ("z.swap(1, 2);", "`.swap()`", "keep one of both in a variable"),
             ("let y = z == [1, 2];", "a comparison of arrays", "compare the elements"),
+            ("let y = z.to_array() == w;", "a comparison of arrays", "compare the elements"),
+            (
+                "struct Row { all: [u32; 2] } let y = z.all == w.all;",
+                "a comparison of arrays",
+                "compare the elements",
+            ),
             (
                 "let a: [u32; 2] = z; let y = a != z;",
                 "a comparison of arrays",
@@ -661,6 +708,7 @@ mod tests {
             "const { assert!(SIDE == 4) };",
             "const ALL: () = assert!(SIDE == 4);",
             "let y = z.clamp(-1.0, MAX);",
+            "let y = z.clamp(Vec3::ZERO, Vec3::splat(2.0));",
             "#[cfg(not(target_arch = \"spirv\"))]\n    { assert!(x == None); }",
         ] {
             assert_eq!(body(right), "", "{right}");
@@ -687,6 +735,6 @@ mod tests {
         for file in ["long.rs:1", "mod.rs:1", "other.rs:1"] {
             assert!(message.contains(file), "{message}");
         }
-        assert_eq!(message.lines().count(), 4, "{message}");
+        assert_eq!(message.lines().count(), 3, "{message}");
     }
 }

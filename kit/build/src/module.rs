@@ -2,7 +2,9 @@
 
 use anyhow::{Result, anyhow, bail, ensure};
 use muslin_kernel::{EntryPoint, KernelInfo};
-use naga::{AddressSpace, ArraySize, GlobalVariable, ShaderStage, StorageAccess, TypeInner};
+use naga::{
+    AddressSpace, ArraySize, GlobalVariable, Handle, ShaderStage, StorageAccess, TypeInner,
+};
 use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Capability, GlslStd450Op, Op, Word};
 
@@ -15,6 +17,7 @@ pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()
     check_subgroups(kernel, &module)?;
     check_wide(point, &module)?;
     check_loops(kernel, &module)?;
+    check_functions(&module)?;
     let module = validate::read(spirv)?;
     check_arrays(&module)?;
     let [entry_point] = module.entry_points.as_slice() else {
@@ -89,6 +92,21 @@ fn check_loops(kernel: &KernelInfo, module: &Module) -> Result<()> {
     Ok(())
 }
 
+/// Methods of glam become functions of GLSL, in some of which each GPU has an error of its own: in Sin to Pow, Log, Exp2, Log2 and Fma.
+fn check_functions(module: &Module) -> Result<()> {
+    for of in module.all_inst_iter().filter(|of| of.class.opcode == Op::ExtInst) {
+        if let Operand::LiteralExtInstInteger(number @ (13..=26 | 28..=30 | 50)) = of.operands[1]
+            && let Some(function) = GlslStd450Op::from_u32(number)
+        {
+            bail!(
+                "it takes GLSL's `{function:?}`, in helpers or by a method of glam, in which each GPU has an error of its own: write it with \
+                 `muslin::math`, products and sums"
+            );
+        }
+    }
+    Ok(())
+}
+
 /// Most elements of an array of each invocation. Mesa's software GPU takes 44 s to compile a table of 1,024 constants, and longer than nine
 /// minutes for 4,096.
 const MAX_ELEMENTS: u32 = 256;
@@ -99,18 +117,28 @@ fn check_arrays(module: &naga::Module) -> Result<()> {
     let functions = entries.chain(module.functions.iter().map(|(_, function)| function));
     let variables = functions.flat_map(|function| function.local_variables.iter());
     for (_, variable) in variables {
-        if let TypeInner::Array { size: ArraySize::Constant(len), .. } =
-            module.types[variable.ty].inner
-        {
-            ensure!(
-                len.get() <= MAX_ELEMENTS,
-                "it has an array or a table of {len} elements with a variable index, in helpers too: each invocation keeps it, \
-                 and a driver can take minutes to compile that. Bind it as a `Read` buffer, which the host uploads once; a \
-                 kernel's own arrays have at most {MAX_ELEMENTS}"
-            );
-        }
+        let len = elements(module, variable.ty);
+        ensure!(
+            len <= MAX_ELEMENTS,
+            "it has an array or a table of {len} elements with a variable index, in helpers too: each invocation keeps it, and a driver can \
+             take minutes to compile that. Bind it as a `Read` buffer, which the host uploads once; a kernel's own arrays have at most \
+             {MAX_ELEMENTS}"
+        );
     }
     Ok(())
+}
+
+/// Elements of an array, with those of arrays within.
+fn elements(module: &naga::Module, ty: Handle<naga::Type>) -> u32 {
+    match &module.types[ty].inner {
+        TypeInner::Array { base, size: ArraySize::Constant(len), .. } => {
+            elements(module, *base).saturating_mul(len.get())
+        }
+        TypeInner::Struct { members, .. } => {
+            members.iter().map(|member| elements(module, member.ty)).sum()
+        }
+        _ => 1,
+    }
 }
 
 /// Compares a buffer with the kernel's binding.
@@ -284,20 +312,40 @@ mod tests {
     }
 
     #[test]
+    fn inexact_functions_come_from_math() {
+        let with = |function: GlslStd450Op| {
+            let mut b = Builder::new();
+            let float = b.type_float(32, None);
+            let x = b.constant_bit32(float, 0);
+            let library = b.ext_inst_import("GLSL.std.450");
+            wrong(&bytes(&lower::count_fill(b, &[], |b| {
+                b.ext_inst(float, None, library, function as u32, [Operand::IdRef(x)]).unwrap();
+            })))
+        };
+        assert_eq!(with(GlslStd450Op::Sqrt), "");
+        let message = with(GlslStd450Op::Sin);
+        assert!(
+            message.starts_with("it takes GLSL's `Sin`, in helpers or by a method"),
+            "{message}"
+        );
+    }
+
+    #[test]
     fn large_tables_are_buffers() {
-        let with_array = |len: u32| {
+        let with_array = |sizes: [u32; 2]| {
             let mut b = Builder::new();
             let word = b.type_int(32, 0);
-            let len = b.constant_bit32(word, len);
-            let array = b.type_array(word, len);
+            let sizes = sizes.map(|len| b.constant_bit32(word, len));
+            let array = sizes.into_iter().fold(word, |of, len| b.type_array(of, len));
             let pointer = b.type_pointer(None, StorageClass::Function, array);
             wrong(&bytes(&lower::count_fill(b, &[], |b| {
                 b.variable(pointer, None, StorageClass::Function, None);
             })))
         };
-        assert_eq!(with_array(256), "");
-        let message = with_array(257);
+        assert_eq!(with_array([16, 16]), "");
+        let message = with_array([1, 257]);
         assert!(message.starts_with("it has an array or a table of 257 elements"), "{message}");
+        assert!(with_array([32, 32]).contains("a table of 1024 elements"));
         assert!(message.contains("Bind it as a `Read` buffer"), "{message}");
     }
 

@@ -59,7 +59,7 @@ impl Device {
 }
 
 impl<T: Pod> Buffer<T> {
-    /// A buffer that the program has made on the device. Kernels read and write its memory; it never becomes another buffer's.
+    /// A buffer that the program has made on this device: wgpu does not tell whose it is. Kernels read and write its memory; it never becomes another buffer's.
     ///
     /// # Errors
     /// [`Error::Argument`] if `device` is no GPU, if the buffer lacks the usage `STORAGE`, `COPY_SRC` or `COPY_DST`, or if its size is no whole number

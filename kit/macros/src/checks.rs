@@ -162,7 +162,7 @@ impl Checks {
     fn each(of: &mut ExprForLoop) -> Option<Expr> {
         let (array, is_numbered) = array(&of.expr)?;
         let ExprForLoop { label, pat, body, .. } = of;
-        let names = Span::mixed_site();
+        let names = Span::mixed_site().located_at(of.expr.span());
         let item = match is_numbered {
             true => quote_spanned!(names => (at as usize, ::muslin::each::Each::at(&array, at))),
             false => quote_spanned!(names => ::muslin::each::Each::at(&array, at)),

@@ -325,19 +325,22 @@ fn over(kernel: &Kernel) -> TokenStream {
         [items, workgroups_z] => quote!(Line(#items, #workgroups_z)),
         all => quote!(Grid([#(#all),*])),
     };
+    // bindings can have these names, too
+    let [uniform, elements] =
+        ["uniform", "elements"].map(|name| Ident::new(name, Span::mixed_site()));
     let mut storage = 0_usize;
     let named = kernel.parameters.iter().filter(|parameter| parameter.role.is_binding());
     let named = named.map(|Parameter { name, role, element, .. }| {
         if matches!(role, Role::Uniform) {
-            return quote!(let #name = ::muslin::dependencies::bytemuck::pod_read_unaligned::<#element>(uniform););
+            return quote!(let #name = ::muslin::dependencies::bytemuck::pod_read_unaligned::<#element>(#uniform););
         }
         storage += 1;
         let at = storage - 1;
-        quote!(let #name = ::muslin::kernel::Elements(elements[#at]);)
+        quote!(let #name = ::muslin::kernel::Elements(#elements[#at]);)
     });
     quote! {{
         #[allow(unused_variables)]
-        fn over(uniform: &[u8], elements: &[u64]) -> ::muslin::kernel::Items {
+        fn over(#uniform: &[u8], #elements: &[u64]) -> ::muslin::kernel::Items {
             #(#named)*
             ::muslin::kernel::Items::#items
         }
@@ -404,8 +407,8 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
                 } else {
                     "Read."
                 };
-                fields.push(quote! { #[doc = #access] pub #name: &'a S::Buffer<#element> });
-                binds.push(quote! { visit(S::bind(self.#name)); });
+                fields.push(quote! { #[doc = #access] pub #name: &'a HostSide::Buffer<#element> });
+                binds.push(quote! { visit(HostSide::bind(self.#name)); });
             }
             Role::Shared(_) | Role::SharedTile(_) => {}
         }
@@ -416,13 +419,13 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
 
         #[cfg(not(target_arch = "spirv"))]
         #[doc = #doc]
-        pub struct #struct_name<'a, S: ::muslin::kernel::Storage> { #(#fields),* }
+        pub struct #struct_name<'a, HostSide: ::muslin::kernel::Storage> { #(#fields),* }
 
         #[cfg(not(target_arch = "spirv"))]
-        impl<'a, S: ::muslin::kernel::Storage> ::muslin::kernel::Dispatch<'a, S> for #struct_name<'a, S> {
+        impl<'a, HostSide: ::muslin::kernel::Storage> ::muslin::kernel::Dispatch<'a, HostSide> for #struct_name<'a, HostSide> {
             fn info(&self) -> &'static ::muslin::kernel::KernelInfo { &#info_name }
             fn uniform(&self) -> &[u8] { #uniform }
-            fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>)) { #(#binds)* }
+            fn bind(&self, visit: &mut dyn FnMut(HostSide::Binding<'a>)) { #(#binds)* }
         }
     }
 }
@@ -438,11 +441,11 @@ fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
     let n = fields.len();
     quote! {
         #[cfg(not(target_arch = "spirv"))]
-        impl<'a, S: ::muslin::kernel::Storage> #struct_name<'a, S> {
+        impl<'a, HostSide: ::muslin::kernel::Storage> #struct_name<'a, HostSide> {
             /// The same dispatch, with numbers that only the device may know.  They replace the parameters' numbers.
             #[must_use]
-            pub fn counted(mut self, #(#fields: &'a S::Count),*) -> ::muslin::kernel::Counted<'a, S, Self, #n> {
-                #(self.#params.#fields = S::upper_bound(#fields);)*
+            pub fn counted(mut self, #(#fields: &'a HostSide::Count),*) -> ::muslin::kernel::Counted<'a, HostSide, Self, #n> {
+                #(self.#params.#fields = HostSide::upper_bound(#fields);)*
                 ::muslin::kernel::Counted::new(self, [#((::core::mem::offset_of!(#element, #fields), #fields)),*])
             }
         }

@@ -169,9 +169,8 @@ impl Regroup {
         impl<'ast> Visit<'ast> for Effects<'_> {
             fn visit_expr(&mut self, expression: &'ast Expr) {
                 let Self(regroup, found) = self;
-                let is_of = |names: &HashSet<Ident>, expression: &Expr| match expression {
-                    Expr::Path(of) => of.path.get_ident().is_some_and(|name| names.contains(name)),
-                    _ => false,
+                let is_of = |names: &HashSet<Ident>, expression: &Expr| {
+                    variable(expression).is_some_and(|name| names.contains(name))
                 };
                 *found |= match expression {
                     Expr::Reference(of) => of.mutability.is_some(),
@@ -207,6 +206,18 @@ impl Regroup {
             }
             _ => false,
         }
+    }
+}
+
+/// The variable that a place lies in.
+fn variable(place: &Expr) -> Option<&Ident> {
+    match place {
+        Expr::Path(of) => of.path.get_ident(),
+        Expr::Field(of) => variable(&of.base),
+        Expr::Index(of) => variable(&of.expr),
+        Expr::Paren(of) => variable(&of.expr),
+        Expr::Unary(of) => variable(&of.expr),
+        _ => None,
     }
 }
 

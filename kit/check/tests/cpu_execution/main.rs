@@ -19,6 +19,7 @@ use muslin::glam::UVec3;
 use muslin::invocation::Invocation;
 use muslin::kernel::Dispatch;
 use muslin::memory::{Read, Write};
+use muslin::prelude::{kernel, params};
 use muslin::workgroup::{SharedMemory, Workgroup};
 use muslin_check::{KernelRunner, devices, unwritten};
 use muslin_device::{Device, DeviceOptions, Error, Modules};
@@ -52,6 +53,38 @@ fn checked() -> Device {
 fn line([name, source]: [&str; 2], text: &str) -> String {
     let line = source.lines().position(|line| line.contains(text)).expect("a line");
     format!("{name}:{}:", line + 1)
+}
+
+/// A struct with a name that could be a generic parameter.
+#[params]
+pub struct S {
+    /// Items.
+    pub count: u32,
+}
+
+/// Bindings with names that the code of the macro has, too.
+#[kernel(threads(64), over(elements.len().min(uniform.count)))]
+pub fn names_of_the_macro(
+    id: Invocation,
+    elements: Read<S>,
+    uniform: &S,
+    bindings: Read<u32>,
+    visit: Write<u32>,
+) {
+    let index = id.index();
+    if index < uniform.count {
+        visit.write(index, elements.read(index).count + bindings.read(index));
+    }
+}
+
+#[test]
+fn bindings_have_any_names() {
+    let elements = vec![S { count: 5 }, S { count: 7 }];
+    let [bindings, visit] = [vec![1, 2], unwritten(2)];
+    let given = NamesOfTheMacroInputs { elements, uniform: S { count: 2 }, bindings, visit };
+    let device = checked();
+    let runner = KernelRunner::new(&device, NamesOfTheMacroInputs::KERNEL);
+    assert_eq!(runner.run(&given.kernel()).unwrap()[0].values, [6.0, 9.0]);
 }
 
 const BROKEN: [&str; 2] = ["broken.rs", include_str!("broken.rs")];

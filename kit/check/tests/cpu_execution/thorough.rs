@@ -55,7 +55,21 @@ fn random(state: &mut u32) -> f32 {
     (*state >> 8) as f32 * (1.0 / 16_777_216.0)
 }
 
-/// Adds noise of -1 to 1, in three ways: the difference of two calls, which no driver takes for the same.
+/// A generator within another struct.
+struct Generators {
+    first: Generator,
+}
+
+struct Generator(u32);
+
+impl Generator {
+    #[inline(always)]
+    fn next(&mut self) -> f32 {
+        random(&mut self.0)
+    }
+}
+
+/// Adds noise of -1 to 1, in four ways: the difference of two calls, which no driver takes for the same.
 #[kernel(threads(64))]
 pub fn dither(id: Invocation, output: Write<f32>) {
     if id.index() < 100 {
@@ -65,7 +79,9 @@ pub fn dither(id: Invocation, output: Write<f32>) {
         let closure = next() - next();
         let reference = &mut state;
         let passed = random(reference) - random(reference);
-        output.write(id.index(), direct + 10.0 * closure + 100.0 * passed);
+        let mut all = Generators { first: Generator(state) };
+        let of_field = all.first.next() - all.first.next();
+        output.write(id.index(), direct + 10.0 * closure + 100.0 * passed + 1000.0 * of_field);
     }
 }
 

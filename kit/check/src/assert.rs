@@ -6,7 +6,7 @@ use std::fmt;
 use muslin_device::{Device, InstructionSet, Modules, STALE};
 use muslin_kernel::{KernelInfo, kernels};
 
-use super::{devices, measure::Measure, report};
+use super::{devices, measure::Measure};
 use crate::{Case, Report, Rounding, Row};
 
 /// Checks each kernel with its case on every device of this machine: the CPU with each instruction set and with denormals
@@ -19,13 +19,9 @@ use crate::{Case, Report, Rounding, Row};
 ///
 /// # Panics
 /// If a device is out of a case's tolerance, a kernel makes a mistake, or a kernel has no case. The message has a
-/// line for each, and a command that stops a debugger in the invocation that has written the worst element. Also if
-/// [`devices::gpus`] panics.
+/// line for each. Also if [`devices::gpus`] panics.
 #[track_caller]
 pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
-    if report::answer(cases) {
-        return;
-    }
     let cpu = devices::cpu(None);
     let mut failures = Vec::new();
     // first, as they name the mistake, where other devices only have wrong values
@@ -72,33 +68,24 @@ struct Failure {
     kernel: &'static str,
     devices: Vec<String>,
     what: String,
-    /// The debugger's command.
-    command: Option<String>,
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} on {}: {}", self.kernel, self.devices.join(", "), self.what)?;
-        self.command.iter().try_for_each(|command| write!(f, "\n{command}"))
+        write!(f, "{} on {}: {}", self.kernel, self.devices.join(", "), self.what)
     }
 }
 
-/// Adds a failure, or adds the device to the same failure of others. Returns it if it is new.
-fn add<'a>(
-    failures: &'a mut Vec<Failure>,
-    kernel: &'static str,
-    device: &str,
-    what: String,
-) -> Option<&'a mut Failure> {
+/// Adds a failure, or adds the device to the same failure of others.
+fn add(failures: &mut Vec<Failure>, kernel: &'static str, device: &str, what: String) {
     let same = |failure: &&mut Failure| failure.kernel == kernel && failure.what == what;
     if let Some(failure) = failures.iter_mut().find(same) {
         if failure.devices.iter().all(|name| name != device) {
             failure.devices.push(device.to_owned());
         }
-        return None;
+        return;
     }
-    failures.push(Failure { kernel, devices: vec![device.to_owned()], what, command: None });
-    failures.last_mut()
+    failures.push(Failure { kernel, devices: vec![device.to_owned()], what });
 }
 
 /// The mistakes that the checked CPUs find.
@@ -130,7 +117,7 @@ fn is_new(case: &Case, device: &Device, name: &str) -> bool {
     !name.contains("variants") || case.entry_point(device) != case.kernel
 }
 
-/// Adds a result's failures. A kernel's first wrong value comes with the debugger's command.
+/// Adds a result's failures.
 fn add_failure(
     failures: &mut Vec<Failure>,
     case: &Case,
@@ -139,23 +126,12 @@ fn add_failure(
     result: &muslin_device::Result<Measure>,
 ) {
     let kernel = case.entry_point(device);
-    let measure = match result {
-        Err(error) => {
-            add(failures, kernel, name, error.to_string());
-            return;
-        }
+    let what = match result {
+        Err(error) => error.to_string(),
         Ok(measure) if measure.is_ok() => return,
-        Ok(measure) => measure,
+        Ok(measure) => measure.describe(beside),
     };
-    // a variant's debugger runs the plain kernel
-    let is_own = |failure: &Failure| [case.kernel, kernel].contains(&failure.kernel);
-    let has_command = |failure: &Failure| is_own(failure) && failure.command.is_some();
-    let is_first = !failures.iter().any(has_command);
-    if let Some(failure) = add(failures, kernel, name, measure.describe(beside))
-        && is_first
-    {
-        failure.command = report::command(case, &measure.share);
-    }
+    add(failures, kernel, name, what);
 }
 
 /// Outputs with too few values from the equations.

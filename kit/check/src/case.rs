@@ -19,7 +19,6 @@ pub struct Case {
     pub compared: f64,
     measure: fn(&Device, &Device, Rounding) -> Result<Measure>,
     hold: fn(&Device, Rounding) -> Result<Measure>,
-    run: fn(&Device, &str) -> Result<()>,
 }
 
 /// Every case that the program is linked with. [`case!`] adds to it.
@@ -47,7 +46,6 @@ impl Case {
             compared: P::COMPARED,
             measure: measure::<P>,
             hold: compare_with_exact::<P>,
-            run: run::<P>,
         }
     }
 
@@ -75,19 +73,6 @@ impl Case {
     pub fn compare_with_exact(&self, device: &Device, rounding: Rounding) -> Result<Measure> {
         (self.hold)(device, rounding)
     }
-
-    /// Runs the set of this name.
-    ///
-    /// # Errors
-    /// Any error of the device.
-    pub fn run(&self, device: &Device, set: &str) -> Result<()> {
-        (self.run)(device, set)
-    }
-}
-
-fn run<P: Parity>(device: &Device, set: &str) -> Result<()> {
-    let mut sets = P::sets().into_iter().filter(|(name, _)| name == set);
-    sets.try_for_each(|(_, set)| set.run(&KernelRunner::new(device, P::KERNEL)).map(drop))
 }
 
 /// The equations' values for all elements of an output.

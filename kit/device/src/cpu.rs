@@ -2,10 +2,8 @@
 
 use std::cell::Cell;
 use std::ops::Range;
-use std::sync::Mutex;
 use std::time::Duration;
 
-use glam::UVec3;
 use muslin_kernel::KernelInfo;
 use muslin_kernel::kernel::{EntryPoint, InstructionSet};
 use rayon::prelude::*;
@@ -38,15 +36,6 @@ impl Drop for SingleThread {
 /// Fills unwritten memory: as an `f32` it is NaN, and as an index it is out of range.
 const NOT_A_NUMBER: u8 = 0xff;
 
-/// An element that a device watches.
-#[derive(Debug)]
-pub struct Watch {
-    pub binding: String,
-    /// The first word, or another one of the same value.
-    pub word: usize,
-    pub writer: Option<UVec3>,
-}
-
 /// The CPU backend.
 #[derive(Debug)]
 pub struct Cpu {
@@ -57,8 +46,6 @@ pub struct Cpu {
     pub(crate) thorough: Option<u64>,
     pub(crate) flush_denormals: bool,
     pub(crate) subgroup_size: u32,
-    /// See [`Device::watch`](crate::Device::watch).
-    pub(crate) watch: Mutex<Option<Watch>>,
     /// Whether kernels run as their variants.
     variants: bool,
     instruction_set: InstructionSet,
@@ -103,7 +90,6 @@ impl Cpu {
             thorough: options.thorough,
             flush_denormals: options.flush_denormals,
             subgroup_size,
-            watch: Mutex::default(),
             variants,
             instruction_set,
             pool_memory,

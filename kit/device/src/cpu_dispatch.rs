@@ -1,6 +1,5 @@
 //! Dispatches of the CPU backend.
 
-use std::sync::PoisonError;
 use std::time::Duration;
 
 use glam::{UVec3, Vec3Swizzles};
@@ -172,23 +171,8 @@ impl Cpu {
             mode,
         };
         self.launch(&launch)?;
-        self.note_writer(info, &monitors);
         self.refuse_nan(info, &bindings, &monitors)?;
         Ok(monitors)
-    }
-
-    /// Notes which invocation has written the element that is watched.
-    fn note_writer(&self, info: &KernelInfo, monitors: &[Option<Monitor<'_>>]) {
-        let mut watch = self.watch.lock().unwrap_or_else(PoisonError::into_inner);
-        let Some(watch) = watch.as_mut() else { return };
-        for (binding, monitor) in info.bindings.iter().zip(monitors) {
-            if let Some(Monitor::Written(races)) = monitor
-                && binding.name == watch.binding
-            {
-                let element = watch.word * size_of::<u32>() / binding.element_bytes as usize;
-                watch.writer = races.invocation(element);
-            }
-        }
     }
 
     /// The run of a kernel, or of its variant.

@@ -388,22 +388,6 @@ impl Device {
         self.timings.take()
     }
 
-    /// On a device that checks races, watches the word `word` of what kernels write to the binding `binding`: for
-    /// [`Device::writer`].
-    pub fn watch(&self, binding: &str, word: usize) {
-        if let DeviceKind::Cpu(cpu) = &self.kind {
-            let watch = cpu::Watch { binding: binding.to_owned(), word, writer: None };
-            *cpu.watch.lock().unwrap_or_else(PoisonError::into_inner) = Some(watch);
-        }
-    }
-
-    /// The place in its dispatch of the invocation that has written what is [watched](Device::watch), if any has.
-    pub fn writer(&self) -> Option<[u32; 3]> {
-        let DeviceKind::Cpu(cpu) = &self.kind else { return None };
-        let watch = cpu.watch.lock().unwrap_or_else(PoisonError::into_inner);
-        Some(watch.as_ref()?.writer?.to_array())
-    }
-
     /// Gives a GPU everything that is recorded, so that it works while the host goes on.
     pub fn submit(&self) {
         if let DeviceKind::Gpu(gpu) = &self.kind {

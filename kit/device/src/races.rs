@@ -241,20 +241,13 @@ impl<'a> Races<'a> {
         self.elements.iter().any(|touched| touched.atomic.load(Ordering::SeqCst) != 0)
     }
 
-    /// The invocation that has written an element.
-    pub fn invocation(&self, index: usize) -> Option<UVec3> {
-        let touched = self.elements.get(index)?;
-        let marks = [&touched.writer, &touched.atomic].map(|slot| slot.load(Ordering::SeqCst));
-        let mark = marks.into_iter().find(|mark| *mark != 0)?;
-        Some(self.place(mark))
-    }
-
     /// Where an element was written, and by whom: the end of a message.
     pub fn writer(&self, index: usize) -> String {
-        let Some(invocation) = self.invocation(index) else { return String::new() };
-        let place =
-            self.elements[index].place().map_or_else(String::new, |at| format!(", at {at}"));
-        format!("{place}, in invocation {invocation} of the dispatch")
+        let Some(touched) = self.elements.get(index) else { return String::new() };
+        let marks = [&touched.writer, &touched.atomic].map(|slot| slot.load(Ordering::SeqCst));
+        let Some(mark) = marks.into_iter().find(|mark| *mark != 0) else { return String::new() };
+        let place = touched.place().map_or_else(String::new, |at| format!(", at {at}"));
+        format!("{place}, in invocation {} of the dispatch", self.place(mark))
     }
 }
 

@@ -5,7 +5,6 @@ extern crate std;
 use core::cell::Cell;
 use core::fmt;
 use core::panic::Location;
-use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use glam::UVec3;
 
@@ -131,37 +130,8 @@ impl PanicContext {
             size == threads,
             "kernel `{kernel}` has workgroups of {threads:?}, and this one has {size:?}"
         );
-        if STOPS.load(Ordering::Relaxed) {
-            let at = id.global().to_array();
-            if (0..3).all(|axis| STOP_AT[axis].load(Ordering::Relaxed) == at[axis]) {
-                stop();
-            }
-        }
         Self(RunningInvocation { kernel, id, is_checked: false, is_additional: false })
     }
-}
-
-/// Whether [`STOP_AT`] is set. Every invocation of a debug build looks here first.
-static STOPS: AtomicBool = AtomicBool::new(false);
-
-/// The invocation that calls [`stop`]; none exists at this place.
-static STOP_AT: [AtomicU32; 3] = [const { AtomicU32::new(u32::MAX) }; 3];
-
-/// From now on, the invocation at this place of a dispatch calls `muslin_stop`, where a debugger can wait, before it does anything
-/// else. In debug builds.
-pub fn stop_at(invocation: [u32; 3]) {
-    for (axis, place) in invocation.into_iter().enumerate() {
-        STOP_AT[axis].store(place, Ordering::Relaxed);
-    }
-    STOPS.store(true, Ordering::Relaxed);
-}
-
-/// Does nothing. A debugger that stops here finds the kernel two frames above.
-// SAFETY: no other symbol has this name, which a debugger finds without the types of this crate
-#[unsafe(export_name = "muslin_stop")]
-#[inline(never)]
-extern "C" fn stop() {
-    core::hint::black_box(());
 }
 
 impl Drop for PanicContext {

@@ -7,5 +7,4 @@ muslin_build::xtask!(
     wgsl: true,
     parity: "test --workspace --test kernels is_right_on_every_device -- --nocapture",
     bench: "run --release -- bench --every-device",
-    snapshots: "test --workspace --test pictures snapshots",
 );

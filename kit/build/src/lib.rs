@@ -27,10 +27,10 @@ use std::time::Instant;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser};
+use muslin_isa::FAMILIES;
 use muslin_manifest::{List, Manifest, set_failure, source_hash};
 
 use compiler::{Compiler, compile, isolate};
-use tool::{IsaOptions, isa};
 
 /// A workspace with a crate of kernels.
 #[derive(Clone, Debug)]
@@ -52,8 +52,6 @@ pub struct Project {
     pub parity: &'static str,
     /// Arguments of cargo that run the test which calls `muslin_check::bench`.
     pub bench: &'static str,
-    /// Arguments of cargo that compare pictures with snapshots.
-    pub snapshots: &'static str,
 }
 
 impl Project {
@@ -75,7 +73,6 @@ impl Project {
             wgsl: false,
             parity: "test --features gpu is_right_on_every_device -- --nocapture",
             bench: "test --release --features gpu bench -- --ignored --nocapture",
-            snapshots: "test --tests",
             // Joining an absolute path returns that path.
             target: root.join(target),
             root,
@@ -92,13 +89,15 @@ enum Task {
     /// List the kernels: their bindings, workgroups, code and loops
     List,
     /// Show the machine code that the compiler of an AMD GPU makes of the kernels, without the GPU
-    Isa(IsaOptions),
+    Isa {
+        /// A family of AMD GPUs, as Mesa's RADV names it; can be given several times
+        #[arg(long, default_values = FAMILIES)]
+        family: Vec<String>,
+    },
     /// Compare each kernel on every device with the CPU and with its equations
     Parity(More),
     /// Measure each kernel, beside what the device could compute and read
     Bench(More),
-    /// Show expected, actual and difference of each picture that is not as accepted
-    Snapshots(tool::SnapshotOptions),
 }
 
 /// Options of what a tool runs.
@@ -134,10 +133,9 @@ pub fn main(project: &Project) -> ExitCode {
     let result = match Task::parse() {
         Task::Kernels(options) => run(project, options),
         Task::List => list(project),
-        Task::Isa(options) => isa(project, &options),
+        Task::Isa { family } => tool::isa(project, &family),
         Task::Parity(options) => tool::run(project, project.parity, &options.more),
         Task::Bench(options) => tool::run(project, project.bench, &options.more),
-        Task::Snapshots(options) => tool::show_snapshots(project, &options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -164,21 +162,15 @@ fn list(project: &Project) -> Result<()> {
 #[derive(Args)]
 struct Options {
     /// Compile and compare with the folder of modules instead of writing there: fails on any difference
-    #[arg(long, conflicts_with = "watch")]
+    #[arg(long)]
     check: bool,
     /// Check each module against the SPIR-V specification with `spirv-val`
     #[arg(long)]
     validate: bool,
-    /// Compile again whenever a kernel source is saved, until interrupted
-    #[arg(long)]
-    watch: bool,
 }
 
-/// Compiles the kernels of a project, and writes, checks or watches its modules.
+/// Compiles the kernels of a project, and writes or checks its modules.
 fn run(project: &Project, options: Options) -> Result<()> {
-    if options.watch {
-        return tool::watch(project, || tool::compile(project, options.validate));
-    }
     let start = Instant::now();
     isolate();
     let compiler = Compiler::find(&project.root.join(&project.shader_crate))?;

@@ -87,7 +87,6 @@ impl Compiler {
             instructions: value("Instructions")?,
             integer_multiplies: integer_multiplies(&assembly),
             loops: loops(&assembly),
-            text: text(&assembly),
         })
     }
 
@@ -200,8 +199,6 @@ pub struct Loop {
     pub loads: usize,
     /// Loads of values that are the same for the whole subgroup.
     pub scalar_loads: usize,
-    /// The text.
-    pub text: String,
 }
 
 /// A block without branches, but for its end.
@@ -264,19 +261,6 @@ fn blocks(assembly: &str) -> Vec<Block<'_>> {
     blocks
 }
 
-/// A whole kernel, without the words that its instructions become.
-pub fn text(assembly: &str) -> String {
-    text_of(&blocks(assembly))
-}
-
-fn text_of(blocks: &[Block<'_>]) -> String {
-    let text = blocks.iter().map(|block| {
-        let lines: String = block.lines.iter().map(|line| format!("    {line}\n")).collect();
-        format!("{}:\n{lines}", block.label)
-    });
-    text.collect()
-}
-
 fn measure(blocks: &[Block<'_>]) -> Loop {
     let lines: Vec<&str> = blocks.iter().flat_map(|block| &block.lines).copied().collect();
     let count = |names: &[&str]| count(&lines, names);
@@ -287,7 +271,6 @@ fn measure(blocks: &[Block<'_>]) -> Loop {
         integer_multiplies: count(&INTEGER_MULTIPLIES),
         loads: count(&["buffer_load", "global_load", "ds_read"]),
         scalar_loads: count(&["s_buffer_load", "s_load"]),
-        text: text_of(blocks),
     }
 }
 
@@ -329,7 +312,5 @@ BB6:
         assert_eq!(counts(inner), [0, 1, 1, 1, 0]);
         assert_eq!(counts(last), [0, 0, 0, 0, 1]);
         assert_eq!(integer_multiplies(TWO_LOOPS), 1);
-        assert!(text(TWO_LOOPS).ends_with("BB6:\n    s_endpgm\n"));
-        assert!(inner.text.starts_with("BB2:\n    buffer_load_dword v2, v3, s[0:3], 0 offen\n"));
     }
 }

@@ -67,8 +67,6 @@ pub struct Kernel {
     pub integer_multiplies: usize,
     /// The innermost loops, the one with the most instructions first.
     pub loops: Vec<Loop>,
-    /// The text of the whole kernel.
-    pub text: String,
 }
 
 /// Compiles the kernels of a manifest's folder for a family of GPUs. `child` must start a process that calls [`answer`] for the same folder

@@ -11,7 +11,16 @@ use syn::visit::{self, Visit};
 use syn::{Attribute, ImplItemFn, Item, ItemFn, Signature, Type};
 
 /// Parts of the compiler's messages, and our words for them.
-const CAUSES: [(&str, &str); 16] = [
+const CAUSES: [(&str, &str); 19] = [
+    (
+        "used from within `<[",
+        "GPUs have no slices; take the elements of an array by an index, or loop over it with `for`",
+    ),
+    (
+        "function pointer",
+        "GPUs call no function by its address; write a `match`, or a generic function",
+    ),
+    ("`f64` type", "GPUs lack `f64`; use `f32`"),
     (
         "raw_eq",
         "arrays are compared, by `==` or within a struct with `PartialEq`; compare their elements",
@@ -83,7 +92,8 @@ pub fn explain(said: &str, crashed: Option<&str>, root: &Path, shader_crate: &st
     let error = &error[..end];
     let headline = error.first().copied().unwrap_or("it says nothing");
     let headline = headline.split_once(": ").map_or(headline, |(_, headline)| headline);
-    let first = error.iter().take_while(|line| !line.contains("--> "));
+    let user = error.iter().find(|line| line.contains("used from within"));
+    let first = error.iter().take_while(|line| !line.contains("--> ")).chain(user);
     let has = |part: &&(&str, &str)| first.clone().any(|line| line.contains(part.0));
     let cause = CAUSES.iter().find(has);
     let cause = cause.map_or(headline, |(_, cause)| cause);
@@ -235,6 +245,11 @@ mod tests {
             (
                 "error[E0599]: no method named `sinh`\n --> src/lib.rs:2:7\n",
                 "src/lib.rs:2: in `add`: no method named `sinh`. The compiler behind says:\n  error[E0599]",
+            ),
+            (
+                "error: cannot cast between pointer types\n --> </core/slice/mod.rs>:156:58\nnote: used from within `<[u32]>::first`\n \
+                 note: called by `kernels::count_fill`\n --> <src/lib.rs>:7:43\nnote: called by `count_fill`\n",
+                "src/lib.rs:7: in `count_fill`: GPUs have no slices",
             ),
             (
                 "error: could not compile `kernels` (lib)\n\nCaused by:\n  rustc (signal: 6, SIGABRT)\n",

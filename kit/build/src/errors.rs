@@ -57,7 +57,7 @@ const CAUSES: [(&str, &str); 19] = [
     ),
     (
         "Bitcast",
-        "an array of bytes becomes an integer, or an integer such an array; shift, and mask with 0xff",
+        "an array of bytes, or the `bool` of an option or of compared tuples, becomes an integer; use `u32`, and shift",
     ),
     ("(signal: ", "the compiler crashes; leave out parts of the kernel to find which one it is"),
     ("globals are not", "GPUs have no `static`; make it a `const`"),
@@ -240,7 +240,7 @@ mod tests {
             ),
             (
                 "error: Expected Result Type to be a pointer: Bitcast\n  = note: module `/target/kernels.spvs/count_fill.spv`\n",
-                "src/count.rs: in `count_fill`: an array of bytes becomes an integer",
+                "src/count.rs: in `count_fill`: an array of bytes, or the `bool` of an option",
             ),
             (
                 "error[E0599]: no method named `sinh`\n --> src/lib.rs:2:7\n",

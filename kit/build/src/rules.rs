@@ -299,6 +299,16 @@ impl<'a> Rules<'a> {
         self.at_run_time(span, what, remedy);
     }
 
+    /// A `for` loop over what the compiler cannot take apart.
+    fn unknown(&mut self, of: &Expr) {
+        let Expr::MethodCall(call) = of else { return };
+        let name = call.method.to_string();
+        if is_one_of(UNKNOWN, &name) && self.is_iterator(&call.receiver) {
+            let remedy = "the compiler for GPUs lacks it; compute it within the loop";
+            self.report(call.method.span(), &format!("`.{name}()`"), remedy);
+        }
+    }
+
     /// What a `for` loop goes over: a range or an array, maybe with methods that take one step for each round.
     fn iterated(&mut self, of: &Expr) {
         match of {
@@ -307,9 +317,6 @@ impl<'a> Rules<'a> {
                 let name = call.method.to_string();
                 if is_one_of(SKIPPING, &name) {
                     self.iterator(call.method.span(), &format!("`.{name}()`"));
-                } else if is_one_of(UNKNOWN, &name) {
-                    let remedy = "the compiler for GPUs lacks it; compute it within the loop";
-                    self.report(call.method.span(), &format!("`.{name}()`"), remedy);
                 }
                 self.iterated(&call.receiver);
                 call.args.iter().for_each(|argument| self.visit_expr(argument));
@@ -461,6 +468,7 @@ impl<'ast> Visit<'ast> for Rules<'_> {
         match expression {
             Expr::ForLoop(of) => {
                 self.uncounted(of.span());
+                self.unknown(&of.expr);
                 self.iterated(&of.expr);
                 self.loops += 1;
                 self.visit_block(&of.body);

@@ -260,7 +260,7 @@ impl Listed {
 pub fn has_photographs(folder: &Path) -> bool {
     let own = Listed::of(folder).unwrap_or_default();
     let has_data = own.folders.iter().any(|folder| FileKind::from_path(folder).is_some());
-    own.has_any() || !has_data && own.below(DEPTH).has_any()
+    own.has_any() || (!has_data && own.below(DEPTH).has_any())
 }
 
 fn name_of(path: &Path) -> String {

@@ -25,7 +25,7 @@ pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, MAX_LEVELS, MAX_LOG2_TABLE, MAX_RESOLUTION,
 };
 pub use network::{Field, Layer, Network};
-pub use placement::Placement;
+pub use placement::{Place, Placement};
 pub use tensor_file::{
     Tensor, read_metadata, read_tensor, read_tensors, read_tensors_from, tensors_to_bytes,
     write_tensors,

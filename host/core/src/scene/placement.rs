@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -55,6 +55,24 @@ pub struct Placement {
     /// Meters in one world unit, if they are known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub meters: Option<f64>,
+}
+
+/// Where a scene is put in the world of another: `offset + scale R world`. The default leaves it where its own world has it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Place {
+    /// The origin of the scene's world.
+    pub offset: [f64; 3],
+    /// R: a turn around this axis, by its length in degrees.
+    pub turn: [f64; 3],
+    /// The length of one unit.
+    pub scale: f64,
+}
+
+impl Default for Place {
+    fn default() -> Self {
+        Self { offset: [0.0; 3], turn: [0.0; 3], scale: 1.0 }
+    }
 }
 
 impl Default for Placement {
@@ -170,6 +188,32 @@ impl Placement {
             return camera.clone();
         }
         placed(camera, self.rotation(), self.world(camera.eye()))
+    }
+
+    /// The place of another scene in this one: that scene's own coordinates are turned into this one's. `put` moves the
+    /// world of `other` in this scene's world. Before that, upward directions become one, and so do units if both know meters.
+    ///
+    /// # Errors
+    /// [`Error::BadConfig`] for a number that is not finite, or a scale that is not positive.
+    pub fn place(&self, other: &Self, put: &Place) -> Result<Self> {
+        let offset = put.offset;
+        Self { offset, scale: put.scale, ..Self::default() }.check()?;
+        let meters = other.meters.zip(self.meters).map_or(1.0, |(other, own)| other / own);
+        let scale = put.scale * meters;
+        let turn = DQuat::from_scaled_axis(DVec3::from(put.turn.map(f64::to_radians)));
+        let upright = DQuat::from_rotation_arc(DVec3::from(other.up), DVec3::from(self.up));
+        let turn = DMat3::from_quat(turn * upright);
+        let origin = DVec3::from(offset) + turn * DVec3::from(other.offset) * scale;
+        let axes = self.rotation().transpose() * turn * other.rotation();
+        let place = Self {
+            offset: self.own(origin.to_array()),
+            scale: scale * other.scale / self.scale,
+            up: axes.z_axis.to_array(),
+            right: axes.x_axis.to_array(),
+            meters: None,
+        };
+        place.check()?;
+        Ok(place)
     }
 
     pub(super) fn check(&self) -> Result<()> {
@@ -299,6 +343,33 @@ mod tests {
             // level images: the direction to the right has no part along z
             assert!(camera.camera_to_world[2][0].abs() < 1e-6);
             assert!(camera.camera_to_world[2][1] > 0.0);
+        }
+    }
+
+    #[test]
+    fn a_scene_is_put_upright_and_in_meters() {
+        let turned = DMat3::from_rotation_x(std::f64::consts::FRAC_PI_2);
+        let world = ring(turned, 30.0, DVec3::ONE);
+        let other = Placement { meters: Some(0.01), ..Placement::of(&world, &[]) };
+        let room = Placement::of(&ring(DMat3::IDENTITY, 2.0, DVec3::new(5.0, 0.0, 0.0)), &[]);
+        let room = Placement { meters: Some(0.5), ..room };
+        let put = Place { offset: [1.0, 2.0, 3.0], turn: [0.0, 0.0, 90.0], scale: 2.0 };
+        let place = room.place(&other, &put).unwrap();
+        for point in [[0.0; 3], [1.0, 0.0, 0.0], [0.3, -2.0, 5.0]] {
+            let [x, y, z] = other.world(point);
+            // upright, that world's place is (x, z, -y), and then it is turned
+            let expected = [0, 1, 2].map(|axis| put.offset[axis] + 2.0 * 0.02 * [-z, x, -y][axis]);
+            let found = room.world(place.world(point));
+            let apart = DVec3::from(found).distance(DVec3::from(expected));
+            assert!(apart < 1e-9, "{found:?}, {expected:?}");
+        }
+        for bad in [
+            Place { scale: 0.0, ..put },
+            Place { scale: -1.0, ..put },
+            Place { turn: [f64::NAN, 0.0, 0.0], ..put },
+            Place { offset: [0.0, f64::INFINITY, 0.0], ..put },
+        ] {
+            assert!(room.place(&other, &bad).is_err(), "{bad:?}");
         }
     }
 

@@ -187,16 +187,19 @@ impl<'a> Pass<'a> {
     /// Renders a part, and reads its tiles. Returns false if it had too little room.
     fn read_tiles(&self, at: &mut BatchPart, keep: bool, output: &mut Output<'_>) -> Result<bool> {
         let part = self.evaluate(at, keep)?;
-        let (buffers, sums) = output.buffers(part.context(self.scene), &part.composite)?;
+        let contexts = part.contexts(self.scene);
+        let (buffers, sums) = output.buffers(&contexts, &part.composite)?;
+        let scenes = contexts.len();
         let Some((words, needed)) = self.read(at, buffers)? else { return Ok(false) };
-        output.take(self.device(), &at.part_tiles, sums, words, needed)?;
+        output.take(self.device(), &at.part_tiles, (scenes, sums), words, needed)?;
         Ok(true)
     }
 
     /// The part, which is rendered unless it was kept.
     fn evaluate<'p>(&self, at: &'p mut BatchPart, keep: bool) -> Result<&'p Part> {
         if at.part.is_none() {
-            let predicts = self.device().has_indirect_counts() && !at.waits;
+            let is_alone = self.scene.beside.is_empty();
+            let predicts = self.device().has_indirect_counts() && !at.waits && is_alone;
             at.is_for_gradients = keep;
             let predicted = || self.renderer.predictor().predict(self.kind(at), self.size(at));
             let capacity = if predicts { at.needed.or_else(predicted) } else { None };

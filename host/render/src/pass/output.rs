@@ -20,31 +20,32 @@ impl Output<'_> {
     /// The buffers of a part to read for [`Self::take`], and the sums of its channels, which are among them.
     pub fn buffers(
         &self,
-        context: TileContext<'_>,
+        contexts: &[TileContext<'_>],
         composite: &Composite,
     ) -> Result<(Vec<Buffer<u32>>, Option<ChannelSums>)> {
-        let mut buffers = vec![context.bins.degenerate.view()];
+        let degenerate = contexts.iter().map(|context| context.bins.degenerate.view());
+        let mut buffers: Vec<_> = degenerate.collect();
         let Self::Tiles { channels, .. } = self else {
-            let device = context.scene.device();
-            buffers.push(pixels(device, context.bins.side, &composite.image)?);
+            let device = contexts[0].scene.device();
+            buffers.push(pixels(device, contexts[0].bins.side, &composite.image)?);
             return Ok((buffers, None));
         };
         buffers.push(composite.image.view());
-        let sums = ChannelSums::new(context, composite, channels)?;
+        let sums = ChannelSums::new(contexts, composite, channels)?;
         buffers.extend(sums.buffers());
         Ok((buffers, Some(sums)))
     }
 
-    /// Takes the words of [`Self::buffers`], of a part that needed this capacity.
+    /// Takes the words of [`Self::buffers`], of a number of scenes and of a part that needed this capacity.
     pub fn take(
         &mut self,
         device: &Device,
         part_tiles: &PartTiles,
-        sums: Option<ChannelSums>,
+        (scenes, sums): (usize, Option<ChannelSums>),
         mut words: Vec<Vec<u32>>,
         needed: Capacity,
     ) -> Result<()> {
-        let degenerate = words.remove(0)[0].into();
+        let degenerate = words.drain(..scenes).map(|counts| u64::from(counts[0])).sum();
         let [pairs, intersections, samples] =
             [needed.pairs, needed.intersections, needed.samples].map(u64::from);
         let of_part = RenderReport { parts: 1, pairs, intersections, samples, degenerate };

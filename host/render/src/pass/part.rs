@@ -14,7 +14,7 @@ use crate::stages::cut::PartTiles;
 use crate::stages::project::{pose_backward, project, project_backward};
 use crate::stages::tiles::TileBins;
 use crate::stages::transmittance::{Transmittance, segments};
-use muslin_device::Buffer;
+use muslin_device::{Buffer, Count};
 use organza_core::{Camera, Result};
 
 /// Everything that the stages have written on the device.
@@ -24,6 +24,57 @@ pub struct Part {
     pub transmittance: Transmittance,
     pub color: Color,
     pub composite: Composite,
+    /// What the scenes that are [shown with](DeviceScene::put) this one add.
+    pub beside: Vec<Layer>,
+    /// Samples of other scenes on the rays of this one.
+    others_samples: u32,
+}
+
+/// A scene's Gaussians in the tiles of a part.
+#[derive(Debug)]
+pub struct Layer {
+    pub bins: TileBins,
+    /// `[pairs]`: T of all scenes together.
+    pub transmittance: Buffer<f32>,
+    /// `[pairs, 3]`
+    pub color: Buffer<f32>,
+    /// Samples, also of other scenes.
+    pub samples: u32,
+}
+
+impl Layer {
+    pub fn context<'a>(&'a self, scene: &'a DeviceScene) -> TileContext<'a> {
+        TileContext { scene, bins: &self.bins, transmittance: &self.transmittance }
+    }
+
+    /// What the layers need together.
+    pub fn capacity(layers: &[Self]) -> Capacity {
+        let sum = |count: fn(&Self) -> u32| layers.iter().map(count).fold(0, u32::saturating_add);
+        Capacity {
+            pairs: sum(|layer| layer.bins.pairs.count.upper_bound()),
+            intersections: sum(|layer| layer.bins.intersections.upper_bound()),
+            samples: sum(|layer| layer.samples),
+        }
+    }
+}
+
+/// The stages before the composite. The last number is of samples in other scenes.
+fn stages(
+    scene: &DeviceScene,
+    cameras: &[&Camera],
+    part_tiles: &PartTiles,
+    keep: bool,
+    counts: Option<PartCounts>,
+) -> Result<(TileBins, Transmittance, Color, u32)> {
+    let device = scene.device();
+    let projection = project(device, scene, cameras, &part_tiles.windows())?;
+    let bins = TileBins::new(scene, part_tiles, projection, counts)?;
+    let segments = segments(scene, &bins.pairs)?;
+    let samples = bins.count_samples(device, &segments.1)?;
+    let mut transmittance = Transmittance::evaluate(scene, &bins.pairs, segments, samples, keep)?;
+    let others_samples = transmittance.attenuate(scene, cameras, &bins.pairs)?;
+    let color = Color::evaluate(scene, &bins.pairs, keep)?;
+    Ok((bins, transmittance, color, others_samples))
 }
 
 impl Part {
@@ -40,18 +91,30 @@ impl Part {
         device.run_in_pool(|| {
             let used: Vec<_> =
                 part_tiles.cameras().into_iter().map(|index| &cameras[index]).collect();
-            let projection = project(device, scene, &used, &part_tiles.windows())?;
-            let bins = TileBins::new(scene, part_tiles, projection, counts)?;
-            let segments = segments(scene, &bins.pairs)?;
-            let samples = bins.count_samples(device, &segments.1)?;
-            let transmittance =
-                Transmittance::evaluate(scene, &bins.pairs, segments, samples, keep)?;
-            let color = Color::evaluate(scene, &bins.pairs, keep)?;
-            let context =
+            let (bins, transmittance, color, others_samples) =
+                stages(scene, &used, part_tiles, keep, counts)?;
+            let layer = |scene: &DeviceScene| -> Result<Layer> {
+                let (bins, own, color, others) = stages(scene, &used, part_tiles, false, None)?;
+                let samples = own.samples.upper_bound().saturating_add(others);
+                let Transmittance { transmittance, .. } = own;
+                Ok(Layer { bins, transmittance, color: color.color, samples })
+            };
+            let beside = scene.beside.iter().map(layer).collect::<Result<Vec<_>>>()?;
+            let own =
                 TileContext { scene, bins: &bins, transmittance: &transmittance.transmittance };
-            let composite = Composite::new(context, scene.config.background, &color.color)?;
-            Ok(Self { bins, transmittance, color, composite })
+            let others = scene.beside.iter().zip(&beside);
+            let others = others.map(|(scene, layer)| (layer.context(scene), &layer.color));
+            let scenes: Vec<_> = std::iter::once((own, &color.color)).chain(others).collect();
+            let composite = Composite::new(&scenes, scene.config.background)?;
+            Ok(Self { bins, transmittance, color, composite, beside, others_samples })
         })
+    }
+
+    /// The contexts of all scenes, this one's first.
+    pub fn contexts<'a>(&'a self, scene: &'a DeviceScene) -> Vec<TileContext<'a>> {
+        let others = scene.beside.iter().zip(&self.beside);
+        let others = others.map(|(scene, layer)| layer.context(scene));
+        std::iter::once(self.context(scene)).chain(others).collect()
     }
 
     pub fn context<'a>(&'a self, scene: &'a DeviceScene) -> TileContext<'a> {
@@ -61,10 +124,15 @@ impl Part {
 
     /// The capacity that the part has; what it needs, if the host knows that.
     pub fn capacity(&self) -> Capacity {
+        let others = Layer::capacity(&self.beside);
+        let sum = |own: &Count, others| own.upper_bound().saturating_add(others);
         Capacity {
-            pairs: self.bins.pairs.count.upper_bound(),
-            intersections: self.bins.intersections.upper_bound(),
-            samples: self.transmittance.samples.upper_bound(),
+            pairs: sum(&self.bins.pairs.count, others.pairs),
+            intersections: sum(&self.bins.intersections, others.intersections),
+            samples: sum(
+                &self.transmittance.samples,
+                others.samples.saturating_add(self.others_samples),
+            ),
         }
     }
 

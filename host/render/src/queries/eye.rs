@@ -9,17 +9,18 @@ use organza_shaders::composite::splat_distance;
 use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
 
+use crate::DeviceScene;
 use crate::pass::output::Output;
+use crate::pass::part::Layer;
 use crate::pass::renderer::Renderer;
 use crate::stages::color::Color;
-use crate::stages::composite::{Composite, TileContext};
+use crate::stages::composite::Composite;
 use crate::stages::cut::PartTiles;
 use crate::stages::pairs::Pairs;
 use crate::stages::project::project;
 use crate::stages::scan::total;
 use crate::stages::tiles::TileBins;
 use crate::stages::transmittance::{Transmittance, segments};
-use crate::{Capacity, DeviceScene};
 use muslin_device::{Buffer, Count, Device, memory};
 use organza_core::{Camera, Channel, RenderedTiles, Result, TileBatch};
 
@@ -48,6 +49,8 @@ pub struct EyeCache {
     transmittance: Vec<f32>,
     color: Vec<[f32; 3]>,
     work: FieldWork,
+    /// The same of the scenes that are [shown with](DeviceScene::put) this one.
+    beside: Vec<Self>,
 }
 
 /// The work of the fields for the last image.
@@ -82,11 +85,20 @@ pub struct EyeOptions<'a> {
 impl EyeCache {
     /// The work of the fields for the last image.
     pub fn work(&self) -> FieldWork {
-        self.work
+        self.beside.iter().map(Self::work).fold(self.work, |all, other| FieldWork {
+            seconds: all.seconds + other.seconds,
+            gaussians: all.gaussians + other.gaussians,
+            evaluated: all.evaluated + other.evaluated,
+        })
     }
 
-    /// Moves the eye. All values of another eye become old.
-    fn look_from(&mut self, eye: Vec3, scene: &DeviceScene) -> Result<()> {
+    /// Moves the eye to a camera of the first scene. All values of another eye become old.
+    fn look_from(&mut self, camera: &Camera, scene: &DeviceScene) -> Result<()> {
+        self.beside.resize_with(scene.beside.len(), Self::default);
+        for (cache, other) in self.beside.iter_mut().zip(&scene.beside) {
+            cache.look_from(camera, other)?;
+        }
+        let eye = scene.place.own_camera(camera).for_kernels().eye;
         let gaussians = scene.len();
         if self.steps.len() != gaussians {
             self.position =
@@ -136,6 +148,7 @@ impl EyeCache {
     fn complete(
         &mut self,
         scene: &DeviceScene,
+        camera: &Camera,
         bins: &TileBins,
         gaussians: &[u32],
         options: &EyeOptions<'_>,
@@ -154,8 +167,9 @@ impl EyeCache {
             let pairs = pairs_of(device, bins, some)?;
             let segments = segments(scene, &pairs)?;
             let count = total(device, &segments.1)?;
-            let evaluated = Transmittance::evaluate(scene, &pairs, segments, count, false)?;
+            let mut evaluated = Transmittance::evaluate(scene, &pairs, segments, count, false)?;
             samples += evaluated.samples.upper_bound();
+            samples += evaluated.attenuate(scene, &[camera], &pairs)?;
             let without: Vec<_> = some.iter().copied().filter(|&at| !self.is_current(at)).collect();
             let color = match &*without {
                 [] => Vec::new(),
@@ -186,6 +200,27 @@ impl EyeCache {
         Ok((transmittance, device.upload("color", color.as_flattened())?))
     }
 
+    /// One scene's Gaussians in the tiles of a part; `None` if cancelled.
+    fn layer(
+        &mut self,
+        scene: &DeviceScene,
+        camera: &Camera,
+        part_tiles: &PartTiles,
+        options: &EyeOptions<'_>,
+    ) -> Result<Option<Layer>> {
+        let device = scene.device();
+        let projection = project(device, scene, &[camera], &part_tiles.windows())?;
+        let bins = TileBins::new(scene, part_tiles, projection, None)?;
+        // with one camera, a pair is its Gaussian
+        let gaussians = device.read(&bins.pairs.pair)?;
+        let begin = Instant::now();
+        let samples = self.complete(scene, camera, &bins, &gaussians, options)?;
+        self.work.seconds += begin.elapsed().as_secs_f64();
+        let Some(samples) = samples else { return Ok(None) };
+        let (transmittance, color) = self.gather(device, &gaussians)?;
+        Ok(Some(Layer { bins, transmittance, color, samples }))
+    }
+
     fn render(
         &mut self,
         scene: &DeviceScene,
@@ -195,23 +230,24 @@ impl EyeCache {
         tiles: &mut RenderedTiles,
     ) -> Result<bool> {
         let device = scene.device();
-        let projection = project(device, scene, &[camera], &part_tiles.windows())?;
-        let bins = TileBins::new(scene, part_tiles, projection, None)?;
-        // with one camera, a pair is its Gaussian
-        let gaussians = device.read(&bins.pairs.pair)?;
-        let begin = Instant::now();
-        let samples = self.complete(scene, &bins, &gaussians, options)?;
-        self.work.seconds += begin.elapsed().as_secs_f64();
-        let Some(samples) = samples else { return Ok(false) };
-        let (transmittance, color) = self.gather(device, &gaussians)?;
+        let own = self.layer(scene, camera, part_tiles, options)?;
+        let Some(mut layers) = own.map(|own| vec![own]) else { return Ok(false) };
+        for (cache, other) in self.beside.iter_mut().zip(&scene.beside) {
+            let layer = cache.layer(other, camera, part_tiles, options)?;
+            let Some(layer) = layer else { return Ok(false) };
+            layers.push(layer);
+        }
+        let contexts = scene.all().zip(&layers).map(|(scene, layer)| layer.context(scene));
+        let contexts: Vec<_> = contexts.collect();
+        let colors = layers.iter().map(|layer| &layer.color);
+        let scenes: Vec<_> = contexts.iter().copied().zip(colors).collect();
         let background = options.background.unwrap_or(scene.config.background);
-        let context = TileContext { scene, bins: &bins, transmittance: &transmittance };
-        let composite = Composite::new(context, background, &color)?;
+        let composite = Composite::new(&scenes, background)?;
         let mut output = Output::Tiles { tiles, channels: options.channels };
-        let (buffers, sums) = output.buffers(context, &composite)?;
-        let pairs = gaussians.len() as u32;
-        let needed = Capacity { pairs, intersections: bins.intersections.upper_bound(), samples };
-        output.take(device, part_tiles, sums, device.read_all(&buffers)?, needed)?;
+        let (buffers, sums) = output.buffers(&contexts, &composite)?;
+        let needed = Layer::capacity(&layers);
+        let words = device.read_all(&buffers)?;
+        output.take(device, part_tiles, (contexts.len(), sums), words, needed)?;
         Ok(true)
     }
 }
@@ -243,7 +279,7 @@ impl Renderer {
     ) -> Result<Option<RenderedTiles>> {
         let pass = self.pass(scene, std::slice::from_ref(camera));
         let mut parts = pass.cut(batch)?;
-        cache.look_from(camera.for_kernels().eye, scene)?;
+        cache.look_from(camera, scene)?;
         let device = self.device();
         let mut tiles = RenderedTiles::new(batch, options.channels)?;
         let mut index = 0;
@@ -264,8 +300,11 @@ impl Renderer {
     /// The same errors as [`Renderer::render`].
     pub fn count_gaussians(&self, scene: &DeviceScene, camera: &Camera) -> Result<Vec<u32>> {
         let device = self.device();
-        let projection = project(device, scene, &[camera], &[EVERYWHERE])?;
-        let projection = device.read(&projection.values)?;
+        let mut projection = Vec::new();
+        for scene in scene.all() {
+            let values = project(device, scene, &[camera], &[EVERYWHERE])?.values;
+            projection.extend(device.read(&values)?);
+        }
         let width = camera.width as usize;
         let mut count = memory::zeros(width * camera.height as usize, "Gaussians of pixels")?;
         const ROWS: usize = 16;

@@ -17,6 +17,7 @@ use crate::stages::transmittance::{Ray, Transmittance, segments};
 use crate::{DeviceScene, Renderer};
 
 use muslin_device::Count;
+use organza_core::error::argument;
 use organza_core::image::to_8_bit;
 use organza_core::{Camera, Result, Tile, TileBatch};
 
@@ -213,6 +214,9 @@ impl Renderer {
         camera: usize,
         pixel: [i32; 2],
     ) -> Result<(Inspection, Part)> {
+        if !scene.beside.is_empty() {
+            return argument("a pixel of several scenes cannot be explained");
+        }
         let device = self.device();
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
         batch.validate(cameras)?;

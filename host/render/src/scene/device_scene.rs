@@ -10,7 +10,7 @@ use super::occupancy::Occupancy;
 use super::packed::{pack, replace_gaussians, unpack};
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Result, argument};
-use organza_core::scene::{Gaussians, Scene, SceneConfig, Tensors};
+use organza_core::scene::{Gaussians, Placement, Scene, SceneConfig, Tensors};
 
 /// A scene whose tensors lie on a device. A clone is the same scene, on the same memory.
 #[derive(Clone, Debug)]
@@ -27,6 +27,11 @@ pub struct DeviceScene {
     pub(crate) color: DeviceField,
     pub(crate) transmittance: DeviceField,
     pub(crate) occupancy: Occupancy,
+    /// Where the scene lies in the coordinates of the one that it is [put](Self::put) beside.
+    pub(crate) place: Placement,
+    pub(crate) beside: Vec<Self>,
+    /// The other scenes' fields, with this scene's Gaussians.
+    pub(crate) fields: Vec<Self>,
     /// Number of calls of [`DeviceScene::write`].
     pub(crate) version: Arc<AtomicU64>,
 }
@@ -173,7 +178,11 @@ impl DeviceScene {
 
     /// The same scene, on the same memory, with steps of T that are `ray_steps` times as long as sigma.
     pub(crate) fn with_ray_steps(&self, ray_steps: u32) -> Self {
-        Self { ray_steps, ..self.clone() }
+        let mut seen = Self { ray_steps, ..self.clone() };
+        for other in seen.beside.iter_mut().chain(&mut seen.fields) {
+            *other = other.with_ray_steps(ray_steps);
+        }
+        seen
     }
 
     /// The same scene, on the same memory, for the coarse steps of a training: for images that are `factor` times smaller,

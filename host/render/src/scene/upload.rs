@@ -13,6 +13,7 @@ use super::options::UploadOptions;
 use super::packed::{pack, upload};
 use muslin_device::Device;
 use organza_core::error::argument;
+use organza_core::scene::Placement;
 use organza_core::{Result, Scene};
 
 impl DeviceScene {
@@ -55,14 +56,20 @@ impl DeviceScene {
             tensors,
             config: config.clone(),
             occupancy: Occupancy::new(device, config, &scene_box)?,
+            place: Placement::default(),
+            beside: Vec::new(),
+            fields: Vec::new(),
             version: Arc::default(),
         };
         scene.update_occupancy(device)?;
         Ok(scene)
     }
 
-    /// Fails if the grids are halves: a half has no gradient.
+    /// Fails if the grids are halves: a half has no gradient. Nor have several scenes together.
     pub(crate) fn require_gradients(&self) -> Result<()> {
+        if !self.beside.is_empty() {
+            return argument("scenes that are shown together have no gradients");
+        }
         match self.color.half_table {
             None => Ok(()),
             Some(_) => argument(

@@ -1,10 +1,10 @@
 //! Channels beside color: other values of each pair, composited by Eq. 12.
 
-use glam::Vec3;
+use glam::{Mat3, Vec3};
 use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
 use organza_shaders::composite::SUM_PLANES;
 
-use super::composite::{Composite, TileContext, weighted_sum};
+use super::composite::{Composite, TileContext, add_weighted, weighted_sum};
 use muslin_device::{Buffer, Result};
 use organza_core::Channel;
 use organza_core::scene::Placement;
@@ -65,6 +65,44 @@ fn resolve(channel: Channel, sum: &[f32], area: usize, placement: &Placement) ->
     }
 }
 
+/// The values `[pairs, 3]` of a source other than color.
+fn values(context: TileContext<'_>, source: Source) -> Result<Buffer<f32>> {
+    let TileContext { scene, bins, transmittance } = context;
+    let device = scene.device();
+    let pairs = &bins.pairs;
+    let capacity = pairs.count.upper_bound();
+    let zeros = |name| device.zeros(name, 3 * capacity as usize);
+    let measure = zeros("depths and visibilities")?;
+    let normals = zeros("normals")?;
+    let gaussians = &scene.tensors.gaussians;
+    let kernel = PairChannelsKernel {
+        params: PairChannelsParams { pairs: capacity, gaussians: scene.gaussians },
+        pair: &pairs.pair,
+        camera: &pairs.camera,
+        position: &gaussians.position,
+        rotation: &gaussians.rotation,
+        log_scale: &gaussians.log_scale,
+        transmittance,
+        measure: &measure,
+        normals: &normals,
+    };
+    device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+    Ok(if source == Source::Measure { measure } else { normals })
+}
+
+/// The same in the coordinates of the first scene, in which this one has a place.
+fn moved(context: TileContext<'_>, source: Source) -> Result<Buffer<f32>> {
+    let device = context.scene.device();
+    let place = &context.scene.place;
+    let matrix = match source {
+        Source::Normals => place.rotation().as_mat3(),
+        _ => Mat3::from_diagonal(Vec3::new(place.scale as f32, 1.0, 1.0)),
+    };
+    let mut values: Vec<Vec3> = device.read(&values(context, source)?.view())?;
+    values.iter_mut().for_each(|value| *value = matrix * *value);
+    device.upload("channels of another scene", bytemuck::cast_slice(&values))
+}
+
 /// The sums of a part's tiles that its channels need, on the device: `[tiles, 4, S, S]` each.
 pub struct ChannelSums {
     sums: Vec<(Source, Buffer<u32>)>,
@@ -72,43 +110,23 @@ pub struct ChannelSums {
 }
 
 impl ChannelSums {
+    /// Of all scenes, in the coordinates of the first.
     pub fn new(
-        context: TileContext<'_>,
+        contexts: &[TileContext<'_>],
         composite: &Composite,
         channels: &[Channel],
     ) -> Result<Self> {
-        let TileContext { scene, bins, transmittance } = context;
-        let device = scene.device();
-        let placement = scene.config.placement;
+        let placement = contexts[0].scene.config.placement;
         let is_needed = |wanted: &Source| channels.iter().any(|c| source(*c) == *wanted);
         let mut sums = Vec::new();
         if is_needed(&Source::Color) {
             sums.push((Source::Color, composite.sum.view()));
         }
-        if ![Source::Measure, Source::Normals].iter().any(is_needed) {
-            return Ok(Self { sums, placement });
-        }
-        let pairs = &bins.pairs;
-        let capacity = pairs.count.upper_bound();
-        let zeros = |name| device.zeros(name, 3 * capacity as usize);
-        let measure = zeros("depths and visibilities")?;
-        let normals = zeros("normals")?;
-        let gaussians = &scene.tensors.gaussians;
-        let kernel = PairChannelsKernel {
-            params: PairChannelsParams { pairs: capacity, gaussians: scene.gaussians },
-            pair: &pairs.pair,
-            camera: &pairs.camera,
-            position: &gaussians.position,
-            rotation: &gaussians.rotation,
-            log_scale: &gaussians.log_scale,
-            transmittance,
-            measure: &measure,
-            normals: &normals,
-        };
-        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
-        let sources = [(Source::Measure, &measure), (Source::Normals, &normals)];
-        for (source, values) in sources.into_iter().filter(|(source, _)| is_needed(source)) {
-            let (sum, _) = weighted_sum(context, values)?;
+        for source in [Source::Measure, Source::Normals].into_iter().filter(is_needed) {
+            let (sum, _) = weighted_sum(contexts[0], &values(contexts[0], source)?)?;
+            for other in &contexts[1..] {
+                add_weighted(*other, &moved(*other, source)?, &sum)?;
+            }
             sums.push((source, sum.view()));
         }
         Ok(Self { sums, placement })

@@ -72,16 +72,16 @@ pub struct Composite {
 }
 
 impl Composite {
-    /// Eq. 12 and 13.
-    pub fn new(
-        context: TileContext<'_>,
-        background: [f64; 3],
-        color: &Buffer<f32>,
-    ) -> Result<Self> {
-        let TileContext { scene, bins, .. } = context;
+    /// Eq. 12 and 13, of scenes with their colors `[pairs, 3]`. The splats are the first one's.
+    pub fn new(scenes: &[(TileContext<'_>, &Buffer<f32>)], background: [f64; 3]) -> Result<Self> {
+        let [(context, color), others @ ..] = scenes else { unreachable!("a scene") };
+        let TileContext { scene, bins, .. } = *context;
         let device = scene.device();
         let side = bins.side;
-        let (sum, splat) = weighted_sum(context, color)?;
+        let (sum, splat) = weighted_sum(*context, color)?;
+        for (context, color) in others {
+            add_weighted(*context, color, &sum)?;
+        }
         let pixels = bins.tiles as usize * (side * side) as usize;
         let image = device.unwritten("tiles", 3 * pixels)?;
         let kernel = ResolveKernel {
@@ -193,9 +193,22 @@ fn add_intersections(
 /// Composites any three values per pair, `color [pairs, 3]`, by Eq. 12. Returns the sums `[tiles, 4, S, S]` and the splats
 /// `[pairs, 3]`.
 pub fn weighted_sum(
-    TileContext { scene, bins, transmittance }: TileContext<'_>,
+    context: TileContext<'_>,
     color: &Buffer<f32>,
 ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+    let TileBins { side, tiles, .. } = *context.bins;
+    let pixels = tiles as usize * (side * side) as usize;
+    let sum = context.scene.device().zeros("sums", pixels * SUM_PLANES as usize)?;
+    let splat = add_weighted(context, color, &sum)?;
+    Ok((sum, splat))
+}
+
+/// Adds to the sums of [`weighted_sum`]. Returns the splats.
+pub fn add_weighted(
+    TileContext { scene, bins, transmittance }: TileContext<'_>,
+    color: &Buffer<f32>,
+    sum: &Buffer<f32>,
+) -> Result<Buffer<Vec4>> {
     let device = scene.device();
     let side = bins.side;
     let pairs = &bins.pairs;
@@ -229,8 +242,6 @@ pub fn weighted_sum(
     };
     device.run(&kernel.counted(&bins.intersections), intersections, 1)?;
 
-    let pixels = tiles as usize * (side * side) as usize;
-    let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
     for pass in 0..bins.largest.div_ceil(MAX_INTERSECTIONS) {
         let kernel = CompositeKernel {
             params: CompositeParams { side, skip: pass * MAX_INTERSECTIONS },
@@ -239,11 +250,11 @@ pub fn weighted_sum(
             intersection: &bins.intersection,
             cells: &cells,
             splat: &splat,
-            sum: &sum,
+            sum,
         };
         device.run_over(&kernel, [side, side, tiles])?;
     }
-    Ok((sum, splat))
+    Ok(splat)
 }
 
 /// `[tiles, S, S]`: tiles as 8-bit RGBA.

@@ -148,7 +148,8 @@ pub struct Limits {
 impl Limits {
     pub fn new(scene: &DeviceScene, side: u32, part_bytes: u64) -> Result<Self> {
         let buffer = scene.device().max_buffer_bytes();
-        let gaussians = u64::from(scene.gaussians);
+        let most = scene.all().map(|scene| scene.gaussians).max().unwrap_or(0);
+        let gaussians = u64::from(most);
         // projection: two vectors for each Gaussian and camera; pairs are numbered in 31 bits
         let camera_bytes = gaussians * 32;
         let max_cameras =
@@ -156,7 +157,7 @@ impl Limits {
         let cameras = (part_bytes / camera_bytes).max(1).min(max_cameras);
         // sums: a vector for each pixel; masks: a word for every 32 Gaussians, at most 2^26 of them; intersections: 31 bits
         let tile_bytes = u64::from(side * side) * 16;
-        let mask_words = u64::from(words(scene.gaussians));
+        let mask_words = u64::from(words(most));
         let per_part = part_bytes / (tile_bytes + mask_words * 12);
         let bound = (buffer / tile_bytes)
             .min((1 << 26) / mask_words)

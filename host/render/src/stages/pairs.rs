@@ -28,6 +28,17 @@ pub struct Pairs {
 }
 
 impl Pairs {
+    /// The same pairs, of packed cameras in other coordinates.
+    pub fn seen_by(&self, camera: Buffer<f32>) -> Self {
+        Self {
+            count: self.count.clone(),
+            pair: self.pair.view(),
+            camera,
+            projection: self.projection.view(),
+            view_ends: self.view_ends.clone(),
+        }
+    }
+
     /// Where chunks must end. With `keep`, at the end of each camera's pairs, because gradients are summed view by view.
     pub fn chunk_ends(&self, keep: bool) -> &[u32] {
         if keep { &self.view_ends } else { &[] }

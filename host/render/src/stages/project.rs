@@ -35,8 +35,7 @@ pub fn project(
     cameras: &[&Camera],
     windows: &[[f32; WINDOW]],
 ) -> Result<Projection> {
-    let packed: Vec<_> = cameras.iter().flat_map(|camera| camera.for_kernels().pack()).collect();
-    let camera = device.upload("cameras", &packed)?;
+    let camera = scene.cameras(cameras)?;
     let window = device.upload("windows", windows.as_flattened())?;
     let values = device.unwritten("projection", cameras.len() * scene.len() * 2)?;
     let degenerate = device.zeros("degenerate", 1)?;

@@ -17,11 +17,12 @@ use super::field::Inputs;
 use super::field::backward::{ChunkScratch, FieldBackward};
 use super::field::samples::{Blocks, Chunks};
 use super::pairs::{PairVectors, Pairs};
-use super::scan::exclusive_scan;
+use super::scan::{exclusive_scan, total};
 use super::tiles::TileBins;
 use crate::gradient::SceneGradient;
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Count, Error, Result};
+use organza_core::Camera;
 
 /// Transmittance of every pair.
 #[derive(Debug)]
@@ -67,6 +68,31 @@ impl Transmittance {
         };
         device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         Ok(Self { transmittance, first_sample, samples, power, segment, blocks })
+    }
+}
+
+impl Transmittance {
+    /// Multiplies by T of the scenes that are [shown with](DeviceScene::put) this one. Returns the number of their samples.
+    pub fn attenuate(
+        &mut self,
+        scene: &DeviceScene,
+        cameras: &[&Camera],
+        pairs: &Pairs,
+    ) -> Result<u32> {
+        let device = scene.device();
+        let mut samples = 0_u32;
+        for field in &scene.fields {
+            let pairs = pairs.seen_by(field.cameras(cameras)?);
+            let segments = segments(field, &pairs)?;
+            let count = total(device, &segments.1)?;
+            samples = samples.saturating_add(count.upper_bound());
+            let other = Self::evaluate(field, &pairs, segments, count, false)?;
+            let mut product = device.read(&self.transmittance)?;
+            let others = device.read(&other.transmittance)?;
+            product.iter_mut().zip(others).for_each(|(t, other)| *t *= other);
+            self.transmittance = device.upload("transmittance", &product)?;
+        }
+        Ok(samples)
     }
 }
 

@@ -1,0 +1,68 @@
+//! Scenes that are shown together. Each keeps its coordinates, its box and its fields.
+
+use std::sync::Arc;
+
+use super::device_scene::DeviceScene;
+use muslin_device::Buffer;
+use organza_core::error::argument;
+use organza_core::scene::Placement;
+use organza_core::{Camera, Result};
+
+impl DeviceScene {
+    /// Shows another scene with this one, at a place in this one's coordinates: see [`Placement::place`].
+    ///
+    /// A pixel is one sum over the Gaussians of all scenes (Eq. 12), before this scene's background. The weight of a Gaussian has
+    /// T of its own scene and, with a zero vector for u, of every other one: along the part of its ray in that scene's box (Eq.
+    /// 11). Such scenes have no gradients.
+    ///
+    /// # Errors
+    /// [`Error::Argument`](organza_core::Error::Argument) for a scene of another device, one that has others already, or a place
+    /// that is too far for f32; the same errors as [`Device::upload`](muslin_device::Device::upload).
+    pub fn put(&mut self, mut other: Self, place: Placement) -> Result<()> {
+        if !Arc::ptr_eq(&self.device, &other.device) || !other.beside.is_empty() {
+            return argument("the other scene is on another device, or is several scenes already");
+        }
+        other.place = place;
+        let mut beside = std::mem::take(&mut self.beside);
+        for scene in beside.iter_mut().chain([&mut *self]) {
+            let field = other.field_for(scene)?;
+            other.fields.push(scene.field_for(&other)?);
+            scene.fields.push(field);
+        }
+        beside.push(other);
+        self.beside = beside;
+        Ok(())
+    }
+
+    /// This scene and those that are shown with it.
+    pub(crate) fn all(&self) -> impl Iterator<Item = &Self> {
+        std::iter::once(self).chain(&self.beside)
+    }
+
+    /// Cameras of the first scene, in this scene's coordinates, as kernels read them.
+    pub(crate) fn cameras(&self, cameras: &[&Camera]) -> muslin_device::Result<Buffer<f32>> {
+        let own = cameras.iter().map(|camera| self.place.own_camera(camera).for_kernels().pack());
+        self.device.upload("cameras", &own.flatten().collect::<Vec<_>>())
+    }
+
+    /// This scene's fields, with the Gaussians of another one.
+    fn field_for(&self, other: &Self) -> Result<Self> {
+        let mut position =
+            self.device.read(&other.tensors.gaussians.position.view::<[f32; 3]>())?;
+        for place in &mut position {
+            let shared = other.place.world(place.map(f64::from));
+            *place = self.place.own(shared).map(|x| x as f32);
+        }
+        if position.as_flattened().iter().any(|x| !x.is_finite()) {
+            return argument("a scene is put so far away that its coordinates overflow");
+        }
+        let extra = vec![0.0; other.len() * self.config.extra as usize];
+        let none = Vec::new;
+        let gaussians = other.gaussians;
+        let mut field = Self { gaussians, beside: none(), fields: none(), ..self.clone() };
+        let tensors = &mut field.tensors.gaussians;
+        tensors.position = self.device.upload("others' positions", position.as_flattened())?;
+        tensors.extra = self.device.upload("others' extra vectors", &extra)?;
+        Ok(field)
+    }
+}

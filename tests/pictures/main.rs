@@ -13,3 +13,4 @@ mod reference_cases;
 mod reproducible;
 mod snapshots;
 mod steadiness;
+mod together;

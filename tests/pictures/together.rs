@@ -1,0 +1,143 @@
+//! Several scenes in one picture, on every device.
+
+use std::fs;
+
+use organza::render::{EyeCache, EyeOptions};
+use organza::scene::{Place, Placement, read_tensors};
+use organza::{Camera, Channel, DeviceScene, Renderer, Scene, TileBatch};
+use organza_tests::cases::{self, Case};
+use organza_tests::compare::{assert_close, bits};
+use organza_tests::devices;
+
+/// Absolute tolerance of the tiles.
+const TILES: f64 = 2e-4;
+
+fn basic() -> Case {
+    Case::load(&cases::folder().join("basic"))
+}
+
+/// The scenes of `cases/together`, which have no [`Placement`].
+fn together(renderer: &Renderer) -> DeviceScene {
+    let folder = cases::folder().join("together");
+    let text = fs::read_to_string(folder.join("scenes.toml")).expect("a list");
+    let list: toml::Table = text.parse().expect("TOML");
+    let mut scenes = list["scene"].as_array().expect("scenes").iter().map(|listed| {
+        let mut listed = listed.as_table().expect("a scene").clone();
+        let path = listed.remove("path").expect("a path");
+        let scene = Scene::load(folder.join(path.as_str().expect("a path"))).expect("a scene");
+        let world = Placement::default();
+        let place: Place = listed.try_into().expect("a place");
+        (renderer.upload(&scene).expect("memory"), world.place(&world, &place).expect("a place"))
+    });
+    let (mut all, _) = scenes.next().expect("a scene");
+    scenes.for_each(|(scene, place)| all.put(scene, place).expect("memory"));
+    all
+}
+
+#[test]
+fn scenes_together_match_the_reference() {
+    let case = basic();
+    let expected = read_tensors(cases::folder().join("together/tiles.safetensors"));
+    let expected = &expected.expect("tensors")["tiles"].data;
+    for (device, opened) in devices::all() {
+        let renderer = Renderer::new(opened);
+        let scene = together(&renderer);
+        let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+        assert_close(&format!("scenes together on {device}"), &tiles.data, expected, TILES);
+        assert!(renderer.record(&scene, &case.cameras, &case.tiles).is_err(), "a gradient");
+        assert!(renderer.inspect(&scene, &case.cameras, 0, [40, 40]).is_err(), "a pixel");
+
+        // the viewer's images have the same bits, also after the eye has moved
+        let camera = &case.cameras[0];
+        let batch = TileBatch::cover(0, camera.width, camera.height, 16).expect("tiles");
+        let options = EyeOptions {
+            channels: &Channel::ALL,
+            steps: 1,
+            renewed: None,
+            background: None,
+            is_cancelled: &|| false,
+        };
+        let mut cache = EyeCache::default();
+        let mut seen = |camera, steps| {
+            let options = EyeOptions { steps, ..options };
+            let tiles = renderer.render_from_eye(&scene, camera, &batch, &mut cache, &options);
+            tiles.expect("an image").expect("it was not cancelled")
+        };
+        seen(&case.cameras[1], 1);
+        seen(camera, 3);
+        let found = seen(camera, 1);
+        let expected = renderer
+            .render_channels(&scene, &case.cameras, &batch, &Channel::ALL, &mut |_, _| {})
+            .expect("an image");
+        assert!(bits(&found.data) == bits(&expected.data), "{device}");
+        for (channel, values) in &expected.channels {
+            assert!(bits(&found.channels[channel]) == bits(values), "{device}: {channel:?}");
+        }
+    }
+}
+
+/// Light passes through a scene that no ray meets.
+#[test]
+fn a_scene_far_away_changes_no_bit() {
+    let case = basic();
+    for (device, opened) in devices::all() {
+        let renderer = Renderer::new(opened);
+        let mut scene = renderer.upload(&case.scene).expect("memory");
+        let alone = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+        let far = Placement { offset: [0.0, 0.0, 1e4], ..Placement::default() };
+        let other = renderer.upload(&case.scene).expect("memory");
+        scene.put(other.clone(), far).expect("memory");
+        let with = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
+        assert!(bits(&with.data) == bits(&alone.data), "{device}");
+        let too_far = Placement { offset: [1e300, 0.0, 0.0], ..Placement::default() };
+        assert!(scene.put(other, too_far).is_err(), "coordinates overflow");
+    }
+}
+
+/// Beside a scene that is clear as air, another one looks as if it were alone, but for the place and its units.
+#[test]
+fn a_scene_in_clear_air_keeps_its_channels() {
+    let case = basic();
+    let mut air = case.scene.clone();
+    air.gaussians.opacity.fill(-200.0);
+    air.transmittance.network.layers.last_mut().expect("a layer").bias[0] = 200.0;
+    let put = Place { offset: [0.3, 0.2, -0.4], turn: [30.0, 0.0, 80.0], scale: 1.7 };
+    let place = Placement::default().place(&Placement::default(), &put).expect("a place");
+    let turn = |tile: &mut [f32; 768]| {
+        for at in 0..256 {
+            let normal = [0, 1, 2].map(|axis| f64::from(tile[axis * 256 + at]));
+            let turned = place.world_direction(normal);
+            (0..3).for_each(|axis| tile[axis * 256 + at] = turned[axis] as f32);
+        }
+    };
+    for (device, opened) in devices::all() {
+        let renderer = Renderer::new(opened);
+        let [mut all, alone] =
+            [&air, &case.scene].map(|scene| renderer.upload(scene).expect("memory"));
+        all.put(alone.clone(), place).expect("memory");
+        let render = |scene: &DeviceScene, camera: &Camera| {
+            let batch = TileBatch::cover(0, camera.width, camera.height, 16).expect("tiles");
+            let cameras = std::slice::from_ref(camera);
+            renderer
+                .render_channels(scene, cameras, &batch, &Channel::ALL, &mut |_, _| {})
+                .expect("an image")
+        };
+        let camera = &case.cameras[0];
+        let together = render(&all, camera);
+        let apart = render(&alone, &place.own_camera(camera));
+        assert_close(&format!("a scene in air on {device}"), &together.data, &apart.data, 1e-5);
+        for channel in Channel::ALL {
+            let found = &together.channels[&channel];
+            let mut expected = apart.channels[&channel].clone();
+            match channel {
+                Channel::Depth => expected.iter_mut().for_each(|depth| *depth *= 1.7),
+                Channel::Normal => expected.as_chunks_mut::<768>().0.iter_mut().for_each(turn),
+                Channel::Alpha | Channel::Visibility => {}
+            }
+            let off = found.iter().zip(&expected).map(|(a, b)| (a - b).abs());
+            let far_off = off.clone().filter(|off| *off > 1e-3).count();
+            // where a Gaussian ends, rounding decides
+            assert!(far_off * 1000 < found.len(), "{device}, {channel:?}: {far_off}");
+        }
+    }
+}

@@ -6,11 +6,11 @@ use organza_tests::compare::bits;
 use organza_tests::{cases, devices};
 
 /// The image of a camera in tiles of 16 pixels.
-fn whole(camera: &Camera) -> TileBatch {
+pub fn whole(camera: &Camera) -> TileBatch {
     TileBatch::cover(0, camera.width, camera.height, 16).expect("tiles")
 }
 
-const EXACT: EyeOptions<'_> = EyeOptions {
+pub const EXACT: EyeOptions<'_> = EyeOptions {
     channels: &Channel::ALL,
     steps: 1,
     renewed: None,
@@ -19,7 +19,7 @@ const EXACT: EyeOptions<'_> = EyeOptions {
 };
 
 /// The image of a camera, with nothing kept from before.
-fn render_anew(
+pub fn render_anew(
     renderer: &Renderer,
     scene: &DeviceScene,
     camera: &Camera,

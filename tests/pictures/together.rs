@@ -4,10 +4,12 @@ use std::fs;
 
 use organza::render::{EyeCache, EyeOptions};
 use organza::scene::{Place, Placement, read_tensors};
-use organza::{Camera, Channel, DeviceScene, Renderer, Scene, TileBatch};
+use organza::{Channel, DeviceScene, Renderer, Scene};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::{assert_close, bits};
 use organza_tests::devices;
+
+use crate::eye::{EXACT, render_anew, whole};
 
 /// Absolute tolerance of the tiles.
 const TILES: f64 = 2e-4;
@@ -22,11 +24,11 @@ fn together(renderer: &Renderer) -> DeviceScene {
     let text = fs::read_to_string(folder.join("scenes.toml")).expect("a list");
     let list: toml::Table = text.parse().expect("TOML");
     let mut scenes = list["scene"].as_array().expect("scenes").iter().map(|listed| {
-        let mut listed = listed.as_table().expect("a scene").clone();
-        let path = listed.remove("path").expect("a path");
-        let scene = Scene::load(folder.join(path.as_str().expect("a path"))).expect("a scene");
+        let path = folder.join(listed["path"].as_str().expect("a path"));
+        let scene = Scene::load(path).expect("a scene");
         let world = Placement::default();
-        let place: Place = listed.try_into().expect("a place");
+        let place = listed.get("place").map(|place| place.clone().try_into().expect("a place"));
+        let place: Place = place.unwrap_or_default();
         (renderer.upload(&scene).expect("memory"), world.place(&world, &place).expect("a place"))
     });
     let (mut all, _) = scenes.next().expect("a scene");
@@ -49,17 +51,10 @@ fn scenes_together_match_the_reference() {
 
         // the viewer's images have the same bits, also after the eye has moved
         let camera = &case.cameras[0];
-        let batch = TileBatch::cover(0, camera.width, camera.height, 16).expect("tiles");
-        let options = EyeOptions {
-            channels: &Channel::ALL,
-            steps: 1,
-            renewed: None,
-            background: None,
-            is_cancelled: &|| false,
-        };
+        let batch = whole(camera);
         let mut cache = EyeCache::default();
         let mut seen = |camera, steps| {
-            let options = EyeOptions { steps, ..options };
+            let options = EyeOptions { steps, ..EXACT };
             let tiles = renderer.render_from_eye(&scene, camera, &batch, &mut cache, &options);
             tiles.expect("an image").expect("it was not cancelled")
         };
@@ -101,41 +96,31 @@ fn a_scene_in_clear_air_keeps_its_channels() {
     let mut air = case.scene.clone();
     air.gaussians.opacity.fill(-200.0);
     air.transmittance.network.layers.last_mut().expect("a layer").bias[0] = 200.0;
-    let put = Place { offset: [0.3, 0.2, -0.4], turn: [30.0, 0.0, 80.0], scale: 1.7 };
+    // a third of a turn around (1, 1, 1): x is y, y is z, z is x
+    let put = Place { offset: [0.3, 0.2, -0.4], turn: [120.0 / 3_f64.sqrt(); 3], scale: 1.7 };
     let place = Placement::default().place(&Placement::default(), &put).expect("a place");
-    let turn = |tile: &mut [f32; 768]| {
-        for at in 0..256 {
-            let normal = [0, 1, 2].map(|axis| f64::from(tile[axis * 256 + at]));
-            let turned = place.world_direction(normal);
-            (0..3).for_each(|axis| tile[axis * 256 + at] = turned[axis] as f32);
-        }
-    };
     for (device, opened) in devices::all() {
         let renderer = Renderer::new(opened);
         let [mut all, alone] =
             [&air, &case.scene].map(|scene| renderer.upload(scene).expect("memory"));
         all.put(alone.clone(), place).expect("memory");
-        let render = |scene: &DeviceScene, camera: &Camera| {
-            let batch = TileBatch::cover(0, camera.width, camera.height, 16).expect("tiles");
-            let cameras = std::slice::from_ref(camera);
-            renderer
-                .render_channels(scene, cameras, &batch, &Channel::ALL, &mut |_, _| {})
-                .expect("an image")
-        };
         let camera = &case.cameras[0];
-        let together = render(&all, camera);
-        let apart = render(&alone, &place.own_camera(camera));
+        let together = render_anew(&renderer, &all, camera, &EXACT);
+        let apart = render_anew(&renderer, &alone, &place.own_camera(camera), &EXACT);
         assert_close(&format!("a scene in air on {device}"), &together.data, &apart.data, 1e-5);
         for channel in Channel::ALL {
             let found = &together.channels[&channel];
             let mut expected = apart.channels[&channel].clone();
             match channel {
                 Channel::Depth => expected.iter_mut().for_each(|depth| *depth *= 1.7),
-                Channel::Normal => expected.as_chunks_mut::<768>().0.iter_mut().for_each(turn),
+                Channel::Normal => {
+                    expected.chunks_mut(3 * 16 * 16).for_each(|tile| tile.rotate_right(16 * 16))
+                }
                 Channel::Alpha | Channel::Visibility => {}
             }
-            let off = found.iter().zip(&expected).map(|(a, b)| (a - b).abs());
-            let far_off = off.clone().filter(|off| *off > 1e-3).count();
+            let pairs = found.iter().zip(&expected);
+            let far_off =
+                pairs.filter(|(found, expected)| (*found - *expected).abs() > 1e-3).count();
             // where a Gaussian ends, rounding decides
             assert!(far_off * 1000 < found.len(), "{device}, {channel:?}: {far_off}");
         }

@@ -187,7 +187,7 @@ impl<'a> Pass<'a> {
     /// Renders a part, and reads its tiles. Returns false if it had too little room.
     fn read_tiles(&self, at: &mut BatchPart, keep: bool, output: &mut Output<'_>) -> Result<bool> {
         let part = self.evaluate(at, keep)?;
-        let contexts = part.contexts(self.scene);
+        let contexts = part.context(self.scene).all(&part.beside);
         let (buffers, sums) = output.buffers(&contexts, &part.composite)?;
         let scenes = contexts.len();
         let Some((words, needed)) = self.read(at, buffers)? else { return Ok(false) };
@@ -242,7 +242,7 @@ impl<'a> Pass<'a> {
         };
         let needed = match counts {
             Some(_) => Capacity::needed(&words.pop().expect("the counts were read")),
-            None => at.needed.or_else(|| Some(part.capacity())),
+            None => at.needed.or_else(|| Some(part.capacity)),
         };
         let Some(needed) = needed else {
             at.release();

@@ -8,13 +8,13 @@ use crate::gradient::SceneGradient;
 use crate::gradient::ranks::Rows;
 use crate::scene::device_scene::DeviceScene;
 use crate::stages::color::Color;
-use crate::stages::composite::{Composite, TileContext};
+use crate::stages::composite::{Composite, Layer, TileContext};
 use crate::stages::counts::{Capacity, PartCounts};
 use crate::stages::cut::PartTiles;
 use crate::stages::project::{pose_backward, project, project_backward};
 use crate::stages::tiles::TileBins;
 use crate::stages::transmittance::{Transmittance, segments};
-use muslin_device::{Buffer, Count};
+use muslin_device::Buffer;
 use organza_core::{Camera, Result};
 
 /// Everything that the stages have written on the device.
@@ -26,46 +26,18 @@ pub struct Part {
     pub composite: Composite,
     /// What the scenes that are [shown with](DeviceScene::put) this one add.
     pub beside: Vec<Layer>,
-    /// Samples of other scenes on the rays of this one.
-    others_samples: u32,
+    /// The capacity that the part has; what it needs, if the host knows that.
+    pub capacity: Capacity,
 }
 
-/// A scene's Gaussians in the tiles of a part.
-#[derive(Debug)]
-pub struct Layer {
-    pub bins: TileBins,
-    /// `[pairs]`: T of all scenes together.
-    pub transmittance: Buffer<f32>,
-    /// `[pairs, 3]`
-    pub color: Buffer<f32>,
-    /// Samples, also of other scenes.
-    pub samples: u32,
-}
-
-impl Layer {
-    pub fn context<'a>(&'a self, scene: &'a DeviceScene) -> TileContext<'a> {
-        TileContext { scene, bins: &self.bins, transmittance: &self.transmittance }
-    }
-
-    /// What the layers need together.
-    pub fn capacity(layers: &[Self]) -> Capacity {
-        let sum = |count: fn(&Self) -> u32| layers.iter().map(count).fold(0, u32::saturating_add);
-        Capacity {
-            pairs: sum(|layer| layer.bins.pairs.count.upper_bound()),
-            intersections: sum(|layer| layer.bins.intersections.upper_bound()),
-            samples: sum(|layer| layer.samples),
-        }
-    }
-}
-
-/// The stages before the composite. The last number is of samples in other scenes.
+/// The stages before the composite, and the capacity that they have.
 fn stages(
     scene: &DeviceScene,
     cameras: &[&Camera],
     part_tiles: &PartTiles,
     keep: bool,
     counts: Option<PartCounts>,
-) -> Result<(TileBins, Transmittance, Color, u32)> {
+) -> Result<(TileBins, Transmittance, Color, Capacity)> {
     let device = scene.device();
     let projection = project(device, scene, cameras, &part_tiles.windows())?;
     let bins = TileBins::new(scene, part_tiles, projection, counts)?;
@@ -74,7 +46,12 @@ fn stages(
     let mut transmittance = Transmittance::evaluate(scene, &bins.pairs, segments, samples, keep)?;
     let others_samples = transmittance.attenuate(scene, cameras, &bins.pairs)?;
     let color = Color::evaluate(scene, &bins.pairs, keep)?;
-    Ok((bins, transmittance, color, others_samples))
+    let capacity = Capacity {
+        pairs: bins.pairs.count.upper_bound(),
+        intersections: bins.intersections.upper_bound(),
+        samples: transmittance.samples.upper_bound().saturating_add(others_samples),
+    };
+    Ok((bins, transmittance, color, capacity))
 }
 
 impl Part {
@@ -91,49 +68,25 @@ impl Part {
         device.run_in_pool(|| {
             let used: Vec<_> =
                 part_tiles.cameras().into_iter().map(|index| &cameras[index]).collect();
-            let (bins, transmittance, color, others_samples) =
+            let (bins, transmittance, color, mut capacity) =
                 stages(scene, &used, part_tiles, keep, counts)?;
-            let layer = |scene: &DeviceScene| -> Result<Layer> {
-                let (bins, own, color, others) = stages(scene, &used, part_tiles, false, None)?;
-                let samples = own.samples.upper_bound().saturating_add(others);
-                let Transmittance { transmittance, .. } = own;
-                Ok(Layer { bins, transmittance, color: color.color, samples })
-            };
-            let beside = scene.beside.iter().map(layer).collect::<Result<Vec<_>>>()?;
-            let own =
-                TileContext { scene, bins: &bins, transmittance: &transmittance.transmittance };
-            let others = scene.beside.iter().zip(&beside);
-            let others = others.map(|(scene, layer)| (layer.context(scene), &layer.color));
-            let scenes: Vec<_> = std::iter::once((own, &color.color)).chain(others).collect();
-            let composite = Composite::new(&scenes, scene.config.background)?;
-            Ok(Self { bins, transmittance, color, composite, beside, others_samples })
+            let mut beside = Vec::new();
+            for other in &scene.beside {
+                let (bins, own, color, needed) = stages(other, &used, part_tiles, false, None)?;
+                capacity = capacity.plus(needed);
+                beside.push(Layer { bins, transmittance: own.transmittance, color: color.color });
+            }
+            let own = &transmittance.transmittance;
+            let context =
+                TileContext { scene, bins: &bins, transmittance: own, color: &color.color };
+            let composite = Composite::new(&context.all(&beside), scene.config.background)?;
+            Ok(Self { bins, transmittance, color, composite, beside, capacity })
         })
-    }
-
-    /// The contexts of all scenes, this one's first.
-    pub fn contexts<'a>(&'a self, scene: &'a DeviceScene) -> Vec<TileContext<'a>> {
-        let others = scene.beside.iter().zip(&self.beside);
-        let others = others.map(|(scene, layer)| layer.context(scene));
-        std::iter::once(self.context(scene)).chain(others).collect()
     }
 
     pub fn context<'a>(&'a self, scene: &'a DeviceScene) -> TileContext<'a> {
         let transmittance = &self.transmittance.transmittance;
-        TileContext { scene, bins: &self.bins, transmittance }
-    }
-
-    /// The capacity that the part has; what it needs, if the host knows that.
-    pub fn capacity(&self) -> Capacity {
-        let others = Layer::capacity(&self.beside);
-        let sum = |own: &Count, others| own.upper_bound().saturating_add(others);
-        Capacity {
-            pairs: sum(&self.bins.pairs.count, others.pairs),
-            intersections: sum(&self.bins.intersections, others.intersections),
-            samples: sum(
-                &self.transmittance.samples,
-                others.samples.saturating_add(self.others_samples),
-            ),
-        }
+        TileContext { scene, bins: &self.bins, transmittance, color: &self.color.color }
     }
 
     /// Raises the bounds of both hash grids' sums, by `d_splats [pairs, 3]`.

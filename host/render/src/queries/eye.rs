@@ -9,18 +9,17 @@ use organza_shaders::composite::splat_distance;
 use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
 
-use crate::DeviceScene;
 use crate::pass::output::Output;
-use crate::pass::part::Layer;
 use crate::pass::renderer::Renderer;
 use crate::stages::color::Color;
-use crate::stages::composite::Composite;
+use crate::stages::composite::{Composite, Layer, TileContext};
 use crate::stages::cut::PartTiles;
 use crate::stages::pairs::Pairs;
 use crate::stages::project::project;
 use crate::stages::scan::total;
 use crate::stages::tiles::TileBins;
 use crate::stages::transmittance::{Transmittance, segments};
+use crate::{Capacity, DeviceScene};
 use muslin_device::{Buffer, Count, Device, memory};
 use organza_core::{Camera, Channel, RenderedTiles, Result, TileBatch};
 
@@ -200,14 +199,14 @@ impl EyeCache {
         Ok((transmittance, device.upload("color", color.as_flattened())?))
     }
 
-    /// One scene's Gaussians in the tiles of a part; `None` if cancelled.
+    /// A scene's layer in the tiles of a part, and what it needs; `None` if cancelled.
     fn layer(
         &mut self,
         scene: &DeviceScene,
         camera: &Camera,
         part_tiles: &PartTiles,
         options: &EyeOptions<'_>,
-    ) -> Result<Option<Layer>> {
+    ) -> Result<Option<(Layer, Capacity)>> {
         let device = scene.device();
         let projection = project(device, scene, &[camera], &part_tiles.windows())?;
         let bins = TileBins::new(scene, part_tiles, projection, None)?;
@@ -218,7 +217,9 @@ impl EyeCache {
         self.work.seconds += begin.elapsed().as_secs_f64();
         let Some(samples) = samples else { return Ok(None) };
         let (transmittance, color) = self.gather(device, &gaussians)?;
-        Ok(Some(Layer { bins, transmittance, color, samples }))
+        let pairs = gaussians.len() as u32;
+        let needed = Capacity { pairs, intersections: bins.intersections.upper_bound(), samples };
+        Ok(Some((Layer { bins, transmittance, color }, needed)))
     }
 
     fn render(
@@ -231,21 +232,20 @@ impl EyeCache {
     ) -> Result<bool> {
         let device = scene.device();
         let own = self.layer(scene, camera, part_tiles, options)?;
-        let Some(mut layers) = own.map(|own| vec![own]) else { return Ok(false) };
+        let Some((own, mut needed)) = own else { return Ok(false) };
+        let mut beside = Vec::new();
         for (cache, other) in self.beside.iter_mut().zip(&scene.beside) {
             let layer = cache.layer(other, camera, part_tiles, options)?;
-            let Some(layer) = layer else { return Ok(false) };
-            layers.push(layer);
+            let Some((layer, more)) = layer else { return Ok(false) };
+            needed = needed.plus(more);
+            beside.push(layer);
         }
-        let contexts = scene.all().zip(&layers).map(|(scene, layer)| layer.context(scene));
-        let contexts: Vec<_> = contexts.collect();
-        let colors = layers.iter().map(|layer| &layer.color);
-        let scenes: Vec<_> = contexts.iter().copied().zip(colors).collect();
+        let Layer { bins, transmittance, color } = &own;
+        let contexts = TileContext { scene, bins, transmittance, color }.all(&beside);
         let background = options.background.unwrap_or(scene.config.background);
-        let composite = Composite::new(&scenes, background)?;
+        let composite = Composite::new(&contexts, background)?;
         let mut output = Output::Tiles { tiles, channels: options.channels };
         let (buffers, sums) = output.buffers(&contexts, &composite)?;
-        let needed = Layer::capacity(&layers);
         let words = device.read_all(&buffers)?;
         output.take(device, part_tiles, (contexts.len(), sums), words, needed)?;
         Ok(true)

@@ -61,12 +61,9 @@ impl Renderer {
                 let scene = &scene.with_ray_steps(steps.into());
                 let (_, first_sample) = segments(scene, &bins.pairs)?;
                 let samples = total(device, &first_sample)?.upper_bound();
-                *needed = Capacity {
-                    // a pair counts once for each part that has it, so this may be more than needed
-                    pairs: needed.pairs.saturating_add(pairs).min(scene.gaussians),
-                    intersections: needed.intersections.saturating_add(intersections),
-                    samples: needed.samples.saturating_add(samples),
-                };
+                *needed = needed.plus(Capacity { pairs, intersections, samples });
+                // a pair counts once for each part that has it, so this may be more than needed
+                needed.pairs = needed.pairs.min(scene.gaussians);
             }
         }
         Ok(needed)

@@ -8,6 +8,9 @@ use organza_core::error::argument;
 use organza_core::scene::Placement;
 use organza_core::{Camera, Result};
 
+/// Kernels square coordinates as f32.
+const FARTHEST: f32 = 1e15;
+
 impl DeviceScene {
     /// Shows another scene with this one, at a place in this one's coordinates: see [`Placement::place`].
     ///
@@ -17,7 +20,8 @@ impl DeviceScene {
     ///
     /// # Errors
     /// [`Error::Argument`](organza_core::Error::Argument) for a scene of another device, one that has others already, or a place
-    /// that is too far for f32; the same errors as [`Device::upload`](muslin_device::Device::upload).
+    /// that is too far for f32; the same errors as [`Device::upload`](muslin_device::Device::upload). This scene is then
+    /// not complete.
     pub fn put(&mut self, mut other: Self, place: Placement) -> Result<()> {
         if !Arc::ptr_eq(&self.device, &other.device) || !other.beside.is_empty() {
             return argument("the other scene is on another device, or is several scenes already");
@@ -53,8 +57,8 @@ impl DeviceScene {
             let shared = other.place.world(place.map(f64::from));
             *place = self.place.own(shared).map(|x| x as f32);
         }
-        if position.as_flattened().iter().any(|x| !x.is_finite()) {
-            return argument("a scene is put so far away that its coordinates overflow");
+        if !position.as_flattened().iter().all(|x| x.abs() < FARTHEST) {
+            return argument("a scene is put so far away that coordinates overflow");
         }
         let extra = vec![0.0; other.len() * self.config.extra as usize];
         let none = Vec::new;

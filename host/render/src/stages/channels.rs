@@ -67,7 +67,7 @@ fn resolve(channel: Channel, sum: &[f32], area: usize, placement: &Placement) ->
 
 /// The values `[pairs, 3]` of a source other than color.
 fn values(context: TileContext<'_>, source: Source) -> Result<Buffer<f32>> {
-    let TileContext { scene, bins, transmittance } = context;
+    let TileContext { scene, bins, transmittance, .. } = context;
     let device = scene.device();
     let pairs = &bins.pairs;
     let capacity = pairs.count.upper_bound();

@@ -25,6 +25,30 @@ pub struct TileContext<'a> {
     pub bins: &'a TileBins,
     /// `[pairs]`
     pub transmittance: &'a Buffer<f32>,
+    /// `[pairs, 3]`
+    pub color: &'a Buffer<f32>,
+}
+
+/// Another scene's pairs of a part, with their T of all scenes and their colors.
+#[derive(Debug)]
+pub struct Layer {
+    pub bins: TileBins,
+    pub transmittance: Buffer<f32>,
+    pub color: Buffer<f32>,
+}
+
+impl<'a> TileContext<'a> {
+    /// This scene, and the layers of those that are [shown with](DeviceScene::put) it.
+    pub fn all(self, beside: &'a [Layer]) -> Vec<Self> {
+        let others = self.scene.beside.iter().zip(beside);
+        let others = others.map(|(scene, Layer { bins, transmittance, color })| Self {
+            scene,
+            bins,
+            transmittance,
+            color,
+        });
+        std::iter::once(self).chain(others).collect()
+    }
 }
 
 /// A loss term on composited values (Eq. 12) other than color.
@@ -72,15 +96,14 @@ pub struct Composite {
 }
 
 impl Composite {
-    /// Eq. 12 and 13, of scenes with their colors `[pairs, 3]`. The splats are the first one's.
-    pub fn new(scenes: &[(TileContext<'_>, &Buffer<f32>)], background: [f64; 3]) -> Result<Self> {
-        let [(context, color), others @ ..] = scenes else { unreachable!("a scene") };
-        let TileContext { scene, bins, .. } = *context;
+    /// Eq. 12 and 13, of one scene or several. The splats are the first one's.
+    pub fn new(contexts: &[TileContext<'_>], background: [f64; 3]) -> Result<Self> {
+        let TileContext { scene, bins, color, .. } = contexts[0];
         let device = scene.device();
         let side = bins.side;
-        let (sum, splat) = weighted_sum(*context, color)?;
-        for (context, color) in others {
-            add_weighted(*context, color, &sum)?;
+        let (sum, splat) = weighted_sum(contexts[0], color)?;
+        for other in &contexts[1..] {
+            add_weighted(*other, other.color, &sum)?;
         }
         let pixels = bins.tiles as usize * (side * side) as usize;
         let image = device.unwritten("tiles", 3 * pixels)?;
@@ -100,7 +123,7 @@ impl Composite {
         context: TileContext<'_>,
         gradient: &TileGradient,
     ) -> Result<Buffer<Vec4>> {
-        let TileContext { scene, bins, transmittance } = context;
+        let TileContext { scene, bins, transmittance, .. } = context;
         let device = scene.device();
         let side = bins.side;
         let sum_gradient = device.unwritten("gradient of the sums", self.sum.len())?;
@@ -205,7 +228,7 @@ pub fn weighted_sum(
 
 /// Adds to the sums of [`weighted_sum`]. Returns the splats.
 pub fn add_weighted(
-    TileContext { scene, bins, transmittance }: TileContext<'_>,
+    TileContext { scene, bins, transmittance, .. }: TileContext<'_>,
     color: &Buffer<f32>,
     sum: &Buffer<f32>,
 ) -> Result<Buffer<Vec4>> {

@@ -31,6 +31,15 @@ impl Capacity {
             [PAIRS, INTERSECTIONS, SAMPLES].map(|slot| counts[slot as usize]);
         (counts[OVERFLOW as usize] == 0).then_some(Self { pairs, intersections, samples })
     }
+
+    /// Room for both.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self {
+            pairs: self.pairs.saturating_add(other.pairs),
+            intersections: self.intersections.saturating_add(other.intersections),
+            samples: self.samples.saturating_add(other.samples),
+        }
+    }
 }
 
 /// Numbers that stay on the device: see [`organza_shaders::count`].

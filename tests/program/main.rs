@@ -24,6 +24,7 @@ mod results;
 mod sandbox;
 mod splats;
 mod tasks;
+mod together;
 mod train;
 mod view;
 #[cfg(target_os = "linux")]

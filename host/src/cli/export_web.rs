@@ -10,7 +10,7 @@ use organza_core::write_atomic;
 
 use super::console::{Console, print_as_is};
 use super::device::DeviceArgs;
-use super::inputs::{Cameras, DataArgs, SceneSource};
+use super::inputs::{Cameras, DataArgs, SceneSource, Shown};
 use super::output::{Folder, check_file, refuse_run};
 use super::{refuse, title};
 
@@ -40,7 +40,7 @@ pub struct Args {
     scene: Option<PathBuf>,
     /// The cameras to start from: nerfstudio's transforms.json, or a data set [default: the run's, or views
     /// around the scene]
-    cameras: Option<PathBuf>,
+    cameras: Vec<PathBuf>,
     /// The folder of the page, created if it does not exist; with --single-file, the file
     #[arg(short, long, value_name = "PATH")]
     output: PathBuf,
@@ -71,9 +71,11 @@ pub struct Args {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let Some(scene) = &args.scene else { return write_gallery(args, console) };
-    let source = SceneSource::find(scene)?;
-    let cameras = cameras(&source, args.cameras.as_deref(), &args.data, USAGE, console)?;
-    let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
+    let shown = Shown::find(scene, &args.cameras)?;
+    shown.require_one("a page")?;
+    let Shown { source, cameras: named, .. } = shown;
+    let cameras = cameras(&source, named.as_deref(), &args.data, USAGE, console)?;
+    let inputs: Vec<_> = [source.named()].into_iter().chain(named.as_deref()).collect();
     // checked before anything is computed
     let folder = match args.single_file {
         true => {

@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::channels::{ChannelArgs, FormatArgs};
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
-use super::inputs::{Cameras, DataArgs, SceneSource};
+use super::inputs::{Cameras, DataArgs, SceneSource, Shown};
 use super::output::{self, Folder, KeptImages, name, refuse_others};
 use super::picture::{Picture, Pictures, sizes, warn_not_finite};
 use super::summary::{Cost, Summary, count, grouped};
@@ -26,6 +26,7 @@ Examples:
   organza render run -o images                             the views that the run was trained on
   organza render run -o images --split held-out            those that it did not see
   organza render scene.safetensors data/fox -o images --split all --downscale 2
+  organza render room.safetensors mug.safetensors@mug.json transforms.json -o images    two scenes (docs/scenes.md)
   organza render scene.safetensors transforms.json -o images --task 0/4    the first of four machines
   organza render scene.safetensors transforms.json -o images --missing     what is not there yet
 
@@ -50,10 +51,11 @@ file, the values are as they are.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors, or the folder of a training run
+    /// The scene, safetensors, or the folder of a training run; or a TOML file that lists several
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
-    cameras: Option<PathBuf>,
+    /// More scenes at their places, each as SCENE@PLACE.json; and the cameras: nerfstudio's transforms.json, or a data set
+    /// [default: the run's]
+    cameras: Vec<PathBuf>,
     /// The folder for the images; created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
@@ -98,9 +100,10 @@ fn chosen(args: &Args, cameras: &Cameras) -> Result<Vec<usize>> {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = &SceneSource::find(&args.scene)?;
+    let shown = Shown::find(&args.scene, &args.cameras)?;
+    let source = &shown.source;
     let usage = "organza render SCENE CAMERAS -o DIR";
-    let cameras = &Cameras::load(source, args.cameras.as_deref(), &args.data, usage, console)?;
+    let cameras = &Cameras::load(source, shown.cameras.as_deref(), &args.data, usage, console)?;
     let views = &chosen(args, cameras)?;
     let list = &cameras.list[..];
     warn_distorted(console, list, views);
@@ -128,7 +131,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
 
     let renderer = &args.device.open(console)?;
-    let scene = &args.scene_args.upload(renderer, &scene)?;
+    let scene = &shown.upload(&scene, &args.scene_args, renderer, console)?;
     let pictures =
         Pictures { renderer, scene, cameras: list, tile_size: args.tile_size, stop: None };
     let is_wanted = |files: &[PathBuf]| !args.missing || !files.iter().all(|file| file.exists());
@@ -139,7 +142,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         console.note(&format!("{there} of {all} are there from an earlier call"));
     }
     let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
-    let how = (list, args.scene_args.options(), format);
+    let how = (list, args.scene_args.options(), format, shown.others()?);
     let images = names(list).iter().map(|name| folder.join(&format!("{name}.png"))).collect();
     let replaced: Vec<_> = rendered.iter().map(|(_, files)| &files[0]).collect();
     let made_of = (source.file(), &how as &dyn Debug);

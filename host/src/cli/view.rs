@@ -1,7 +1,7 @@
 //! `organza view`: shows a scene in a browser.
 
 use std::net::IpAddr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::sync::mpsc::channel;
@@ -14,7 +14,7 @@ use organza::{Camera, Result};
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
-use super::inputs::{Cameras, DataArgs, DataSet, SceneSource};
+use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Shown};
 use super::{export_web, refuse, title};
 
 const EXAMPLES: &str = "\
@@ -38,10 +38,11 @@ const CLIENT_SIZE: [u32; 2] = [1920, 1080];
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors, or the folder of a training run
+    /// The scene, safetensors, or the folder of a training run; or a TOML file that lists several
     scene: PathBuf,
-    /// A data set, or a transforms.json, with or without photographs [default: the run's]
-    data: Option<PathBuf>,
+    /// More scenes at their places, each as SCENE@PLACE.json; and a data set, or a transforms.json, with or without
+    /// photographs [default: the run's]
+    data: Vec<PathBuf>,
     /// Let the browser render with its own GPU: serve the page of `organza export-web`. Browsers allow that (WebGPU) only
     /// for pages at `localhost`, where `ssh -L` also puts other machines' pages. The page has no photographs, and
     /// explains no pixels
@@ -124,15 +125,21 @@ fn open(url: &str) -> bool {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = SceneSource::find(&args.scene)?;
+    let shown = Shown::find(&args.scene, &args.data)?;
+    let source = &shown.source;
+    let named = shown.cameras.as_deref();
     if args.client {
-        return serve_client(args, &source, console);
+        shown.require_one("`--client`")?;
+        return serve_client(args, source, named, console);
     }
-    let (poses, photographs, points) = surroundings(args, &source, console)?;
+    if args.edit.is_some() {
+        shown.require_one("`--edit`")?;
+    }
+    let (poses, photographs, points) = surroundings(args, source, named, console)?;
     let scene = source.load(console)?;
     let server = args.server.listen(console)?;
     let renderer = args.device.open(console)?;
-    let uploaded = args.scene_args.upload(&renderer, &scene)?;
+    let uploaded = shown.upload(&scene, &args.scene_args, &renderer, console)?;
     let title = title(source.named());
     let has_photographs = !photographs.is_empty();
     let purpose = if args.edit.is_some() { Purpose::Edit } else { Purpose::Look };
@@ -165,10 +172,14 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 }
 
 /// Serves a page that renders by itself, until a signal comes.
-fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<()> {
+fn serve_client(
+    args: &Args,
+    source: &SceneSource,
+    named: Option<&Path>,
+    console: Console,
+) -> Result<()> {
     let usage = "organza view SCENE DATA --client";
-    let cameras =
-        export_web::cameras(source, args.data.as_deref(), &args.data_args, usage, console)?;
+    let cameras = export_web::cameras(source, named, &args.data_args, usage, console)?;
     let scene = source.load(console)?;
     let server = args.server.listen(console)?;
     let renderer = args.device.open(console)?;
@@ -195,9 +206,9 @@ fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<(
 fn surroundings(
     args: &Args,
     source: &SceneSource,
+    named: Option<&Path>,
     console: Console,
 ) -> Result<(Vec<Pose>, Photographs, Vec<Point>)> {
-    let named = args.data.as_deref();
     if named.is_none() && source.settings()?.is_none() {
         if args.data_args.is_given() {
             return refuse("options of a data set were given, but no data set");

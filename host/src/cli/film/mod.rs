@@ -14,7 +14,7 @@ use serde::Serialize;
 use super::channels::ChannelName;
 use super::console::{Console, Progress, print_json};
 use super::device::{DeviceArgs, SceneArgs};
-use super::inputs::{DataArgs, SceneSource};
+use super::inputs::{DataArgs, Shown};
 use super::output::{self, Folder, continue_film, remove_frames};
 use super::picture::{Pictures, warn_not_finite};
 use super::signals::Signals;
@@ -55,10 +55,11 @@ before. A film's frames are the images that `organza render` writes of the same 
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors, or the folder of a training run
+    /// The scene, safetensors, or the folder of a training run; or a TOML file that lists several
     scene: PathBuf,
-    /// Cameras to move through, or whose scene to turn around: nerfstudio's transforms.json, or a data set
-    cameras: Option<PathBuf>,
+    /// More scenes at their places, each as SCENE@PLACE.json; and cameras to move through, or whose scene to turn around:
+    /// nerfstudio's transforms.json, or a data set
+    cameras: Vec<PathBuf>,
     /// The film: a name that ends in .mp4 or .png, or a folder for its frames
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
@@ -102,7 +103,8 @@ fn depth_range(text: &str) -> Result<[f32; 2], String> {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = SceneSource::find(&args.scene)?;
+    let shown = Shown::find(&args.scene, &args.cameras)?;
+    let source = &shown.source;
     let kind = FilmKind::from_path(&args.output)?;
     let channel = args.channel.map(ChannelName::channel);
     if args.depth_range.is_some() && channel != Some(Channel::Depth) {
@@ -110,7 +112,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
     let scene = source.load(console)?;
     let inputs =
-        Inputs { source: &source, scene: &scene, named: args.cameras.as_deref(), data: &args.data };
+        Inputs { source, scene: &scene, named: shown.cameras.as_deref(), data: &args.data };
     let path = args.path.frames(&inputs, args.frames as usize, kind == FilmKind::Mp4, console)?;
     let size @ [width, height] = [path.frames[0].width, path.frames[0].height];
     kind.check(size)?;
@@ -135,7 +137,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
 
     let renderer = args.device.open(console)?;
-    let scene = args.scene_args.upload(&renderer, &scene)?;
+    let scene = shown.upload(&scene, &args.scene_args, &renderer, console)?;
     let mut film = Film { renderer: &renderer, scene: &scene, cameras: &path.frames, look: None };
     if let Some(channel) = channel {
         let range = match (channel, args.depth_range) {
@@ -145,7 +147,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         };
         film.look = Some((channel, range));
     }
-    let made = film.make(args, kind, &source, console)?;
+    let made = film.make(args, kind, &shown, console)?;
     if args.json { print_json(&made) } else { Ok(()) }
 }
 
@@ -173,21 +175,15 @@ struct Film<'a> {
 }
 
 impl Film<'_> {
-    fn make(
-        &self,
-        args: &Args,
-        kind: FilmKind,
-        source: &SceneSource,
-        console: Console,
-    ) -> Result<Made> {
+    fn make(&self, args: &Args, kind: FilmKind, shown: &Shown, console: Console) -> Result<Made> {
         let folder = match kind {
             FilmKind::Frames => args.output.clone(),
             FilmKind::Mp4 | FilmKind::Png => args.output.with_added_extension("frames"),
         };
         let mut folder = Folder::make(&folder)?;
         folder.lock(false)?;
-        let how = (self.cameras, self.look, args.scene_args.options());
-        continue_film(&folder, source.file(), &how, args.overwrite)?;
+        let how = (self.cameras, self.look, args.scene_args.options(), shown.others()?);
+        continue_film(&folder, shown.source.file(), &how, args.overwrite)?;
         let file = |frame: usize| folder.file(&format!("{frame:05}.png"));
         let files = (0..self.cameras.len()).map(file).collect::<Result<Vec<_>>>()?;
         let todo: Vec<_> = (0..files.len()).filter(|&frame| !files[frame].exists()).collect();

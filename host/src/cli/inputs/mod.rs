@@ -2,6 +2,7 @@
 
 mod data;
 mod kind;
+mod shown;
 
 use std::collections::HashSet;
 use std::fs;
@@ -10,6 +11,7 @@ use std::time::Instant;
 
 pub use data::{DataArgs, DataSet, Split, check_place};
 pub use kind::{FileKind, told_apart};
+pub use shown::Shown;
 
 use crate::cli::console::Console;
 use crate::cli::summary::count;

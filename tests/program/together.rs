@@ -1,0 +1,96 @@
+//! Several scenes in one picture: arguments, lists and places.
+
+use crate::sandbox::Sandbox;
+
+const PLACE: &str = r#"{"offset": [0.2, 0, 0.1], "turn": [0, 0, 40], "scale": 0.5}"#;
+const RENDER: &str = "render scene.safetensors b.safetensors@place.json cameras.json --backend cpu";
+
+/// A scene, another one, and its place.
+fn two() -> Sandbox {
+    let sandbox = Sandbox::new("basic");
+    sandbox.copy_file("scene.safetensors", "b.safetensors");
+    sandbox.write("place.json", PLACE);
+    sandbox
+}
+
+#[test]
+fn a_list_a_place_and_a_film_give_the_same_images() {
+    let sandbox = two();
+    sandbox.run(&format!("{RENDER} -o a")).assert_ok();
+    let list = "[[scene]]\npath = \"../scene.safetensors\"\n\n[[scene]]\npath = \"../b.safetensors\"\n\
+                place = { offset = [0.2, 0, 0.1], turn = [0, 0, 40], scale = 0.5 }\n";
+    sandbox.make_folder("lists");
+    sandbox.write("lists/two.toml", list);
+    sandbox.run("render lists/two.toml cameras.json -o b --backend cpu").assert_ok();
+    sandbox.run("render scene.safetensors cameras.json -o alone --backend cpu").assert_ok();
+    let [both, listed, alone] = ["a", "b", "alone"].map(|folder| sandbox.images(folder));
+    assert_eq!(both, listed);
+    assert!(both != alone, "the second scene has no effect");
+    // other places are other images
+    sandbox.run(&format!("{RENDER} -o a --missing")).assert_ok().says(&["nothing to render"]);
+    sandbox.write("place.json", PLACE.replace("40", "50"));
+    sandbox.assert_refuses(&format!("{RENDER} -o a --missing"), &["was not made of this scene"]);
+    sandbox
+        .run("film lists/two.toml cameras.json -o film --frames 2 --backend cpu --channel depth")
+        .assert_ok();
+    assert_eq!(sandbox.images("film").len(), 2);
+    for (words, fact) in [
+        ("view lists/two.toml --edit c.safetensors", "`--edit` takes one scene"),
+        ("view lists/two.toml --client", "`--client` takes one scene"),
+        ("export-web lists/two.toml -o page", "a page takes one scene"),
+    ] {
+        sandbox.assert_refuses(words, &[fact, "show several"]);
+    }
+}
+
+#[test]
+fn bad_places_and_lists_are_refused() {
+    let sandbox = two();
+    let words = format!("{RENDER} -o out");
+    for (place, facts) in [
+        (r#"{"scale": 0}"#, ["place.json", "scale of 0, expected a positive"]),
+        (r#"{"scale": -1e-3}"#, ["place.json", "scale of -0.001"]),
+        (r#"{"offset": [0, NaN, 0]}"#, ["place.json", "JSON has no NaN"]),
+        (r#"{"offset": [0, 1e999, 0]}"#, ["place.json", "out of range"]),
+        (r#"{"offset": [0, 1e300, 0]}"#, ["put so far away", "overflow"]),
+        (r#"{"turn": [0, 90]}"#, ["place.json", "array of length 3"]),
+        (r#"{"rotate": [0, 0, 90]}"#, ["unknown field `rotate`", "`offset`, `turn`, `scale`"]),
+        ("3", ["place.json", "this is no place of a scene"]),
+        ("{", ["place.json", "line 1"]),
+    ] {
+        sandbox.write("place.json", place);
+        sandbox.assert_refuses(&words, &facts);
+    }
+    sandbox.remove("place.json");
+    sandbox.assert_refuses(&words, &["place.json", "no such file"]);
+    sandbox.write("place.json", "{}");
+    let with = |others: &str| format!("render scene.safetensors {others} -o out --backend cpu");
+    for (words, facts) in [
+        (with("none.safetensors@place.json cameras.json"), ["none.safetensors", "no such file"]),
+        (
+            with("cameras.json@place.json cameras.json"),
+            ["cameras.json", "this is a file of cameras"],
+        ),
+        (with("cameras.json b.safetensors"), ["cameras can be named once", "@PLACE.json"]),
+        (with("b.safetensors@place.json"), ["scene.safetensors", "name the data set"]),
+    ] {
+        sandbox.assert_refuses(&words, &facts);
+    }
+    let first = "[[scene]]\npath = \"scene.safetensors\"\n";
+    let second = "[[scene]]\npath = \"b.safetensors\"\n";
+    for (list, fact) in [
+        ("scene = []".to_owned(), "lists no scenes"),
+        (String::new(), "missing field `scene`"),
+        (format!("{first}place.scale = 2"), "the first scene has the cameras"),
+        (format!("{first}{second}place.size = 2"), "unknown field `size`"),
+        (format!("{first}{second}place.scale = nan"), "scale of NaN"),
+        (format!("{first}{second}place.turn = [0, inf, 0]"), "expected finite numbers"),
+        (format!("{first}[[scene]]\nplace.scale = 2"), "line 3: missing field `path`"),
+        (format!("{first}path ="), "line 3"),
+        (format!("title = 1\n{first}"), "unknown field `title`"),
+    ] {
+        sandbox.write("list.toml", list);
+        let words = "render list.toml cameras.json -o out --backend cpu";
+        sandbox.assert_refuses(words, &["list.toml", fact]);
+    }
+}

@@ -74,7 +74,7 @@ fn evaluate(
     part.backward(scene, &d_splats, &gradient, None, false).expect("a gradient");
     gradient.finish(device).expect("a gradient");
     let needed = match &part.bins.part_counts {
-        None => Some(part.capacity()),
+        None => Some(part.capacity),
         Some(counts) => Capacity::needed(&device.read(&counts.counts).expect("counts")),
     };
     let mut values = vec![bits(device, image), bits(device, &gradient.statistics)];

@@ -242,7 +242,7 @@ impl<'a> Pass<'a> {
         };
         let needed = match counts {
             Some(_) => Capacity::needed(&words.pop().expect("the counts were read")),
-            None => at.needed.or_else(|| Some(part.capacity)),
+            None => at.needed.or(Some(part.capacity)),
         };
         let Some(needed) = needed else {
             at.release();

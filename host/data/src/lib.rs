@@ -156,11 +156,10 @@ impl Dataset {
     /// A data set of frames that were not read from files, on a black background. Every `hold_out_every`-th frame is
     /// held out, starting with the first; 0 holds out none.
     pub fn from_frames(frames: Vec<Frame>, hold_out_every: usize) -> Self {
-        let (held_out, train) =
-            (0..frames.len()).partition(|&index| is_held_out(index, hold_out_every));
+        let options = DatasetOptions { hold_out_every, ..Default::default() };
+        let (held_out, train) = (0..frames.len()).partition(|&index| options.holds_out(index));
         let known = frames.iter().enumerate().map(|(index, frame)| {
-            let held_out = is_held_out(index, hold_out_every);
-            (&*frame.name, &frame.camera, Lens::default(), held_out)
+            (&*frame.name, &frame.camera, Lens::default(), options.holds_out(index))
         });
         let fingerprint = Fingerprint::new(known, &[]);
         let poses = frames.iter().map(|frame| frame.camera.camera_to_world).collect();
@@ -207,12 +206,6 @@ fn own_point(placement: &Placement, position: [f64; 3]) -> [f64; 3] {
         return position;
     }
     placement.own(position).map(|x| (x * POINT_STEPS).round() / POINT_STEPS)
-}
-
-/// Whether the frame at a position in the data set's order is held out.
-pub fn is_held_out(position: usize, every: usize) -> bool {
-    // Only 0 is a multiple of 0. With 0, not even the first frame may be held out.
-    every != 0 && position.is_multiple_of(every)
 }
 
 /// The files that make a folder a data set.

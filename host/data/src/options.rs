@@ -25,6 +25,8 @@ pub struct DatasetOptions {
     /// Every Nth frame is held out, starting with the first; 0 holds out none. If there is Blender's
     /// `transforms_test.json`, its frames are held out instead.
     pub hold_out_every: usize,
+    /// Number of neighboring frames that are held out together, 1 or more: every Nth stretch of so many.
+    pub hold_out_length: usize,
     /// Background of photographs with an alpha channel.
     pub background: Background,
     /// Meaning of an alpha channel.
@@ -45,11 +47,29 @@ impl Default for DatasetOptions {
         let allow_outside = false;
         let keep = Keep::default();
         let placement = None;
-        Self { downscale: 1, hold_out_every: 8, background, alpha, allow_outside, keep, placement }
+        Self {
+            downscale: 1,
+            hold_out_every: 8,
+            hold_out_length: 1,
+            background,
+            alpha,
+            allow_outside,
+            keep,
+            placement,
+        }
     }
 }
 
 impl DatasetOptions {
+    /// Whether the frame at a position in the data set's order is held out.
+    #[must_use]
+    pub fn holds_out(&self, position: usize) -> bool {
+        let every = self.hold_out_every;
+        // Only 0 is a multiple of 0. With 0, not even the first frame may be held out.
+        let is_taken = |stretch: usize| every != 0 && stretch.is_multiple_of(every);
+        position.checked_div(self.hold_out_length).is_some_and(is_taken)
+    }
+
     pub(super) fn check(&self) -> Result<()> {
         if self.downscale == 0 {
             return argument("`downscale` is 0, expected 1 (full size) or more");
@@ -60,6 +80,9 @@ impl DatasetOptions {
                  to hold no frame out"
                     .to_owned(),
             );
+        }
+        if self.hold_out_length == 0 {
+            return argument("`hold_out_length` is 0, expected 1 or more");
         }
         let background = self.background.color();
         if !background.iter().all(|value| (0.0..=1.0).contains(value)) {

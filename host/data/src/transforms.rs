@@ -9,7 +9,7 @@ use serde_json::Value;
 use super::find::{self, PhotographFile};
 use super::lens::{Lens, Projection};
 use super::panorama::is_panorama;
-use super::{DatasetKind, Point, Poses, colmap, decode, is_held_out, ply};
+use super::{DatasetKind, Point, Poses, colmap, decode, ply};
 use organza_core::camera::parse::{PANORAMA, PERSPECTIVE_MODELS, PINHOLE_MODELS, Source, frames};
 use organza_core::camera::{Camera, camera_error};
 use organza_core::error::{Result, chain, invalid};
@@ -37,8 +37,8 @@ const ON_DISK: Photographs = Photographs { find: find::photograph, size: decode:
 pub(super) fn nerfstudio(poses: &mut Poses, path: &Path) -> Result<()> {
     poses.kind = DatasetKind::Nerfstudio;
     let file = read_json(path)?;
-    let every = poses.options.hold_out_every;
-    add_frames(poses, &file, path, |position| is_held_out(position, every), &ON_DISK)?;
+    let options = poses.options.clone();
+    add_frames(poses, &file, path, |position| options.holds_out(position), &ON_DISK)?;
     add_points(poses, &file, path)
 }
 
@@ -78,8 +78,8 @@ pub(super) fn blender(poses: &mut Poses, train: &Path) -> Result<()> {
     poses.kind = DatasetKind::Blender;
     let test = train.with_file_name(BLENDER_TEST);
     let has_test = test.exists();
-    let every = poses.options.hold_out_every;
-    let held_out = |position| !has_test && is_held_out(position, every);
+    let options = poses.options.clone();
+    let held_out = |position| !has_test && options.holds_out(position);
     let file = read_json(train)?;
     add_frames(poses, &file, train, held_out, &ON_DISK)?;
     add_points(poses, &file, train)?;

@@ -2,8 +2,10 @@
 
 use muslin_device::memory;
 use organza_core::{Camera, Result, demo};
-use organza_data::{Dataset, Frame, Photograph, Pose, is_held_out};
+use organza_data::{Dataset, Frame, Photograph, Pose};
 use organza_render::Renderer;
+
+use super::config::DataConfig;
 
 /// `views` images of `side` x `side` pixels around the built-in scene. Every `hold_out_every`-th is held out.
 ///
@@ -15,26 +17,31 @@ pub fn dataset(
     side: u32,
     hold_out_every: usize,
 ) -> Result<Dataset> {
-    part(renderer, views, side, hold_out_every, &|_| true, &mut |_, _| {})
+    let data = DataConfig {
+        built_in_views: views,
+        built_in_side: side,
+        hold_out_every,
+        ..DataConfig::default()
+    };
+    part(renderer, &data, &|_| true, &mut |_, _| {})
 }
 
-/// Like [`dataset`], but with only the views for which `takes` is true. Its argument is whether the view is held out.
+/// [`dataset`] by settings, but with only the views for which `takes` is true. Its argument is whether the view is held out.
 /// `progress` is called with the number of finished views and of all views.
 ///
 /// # Errors
 /// The same errors as [`dataset`].
 pub fn part(
     renderer: &Renderer,
-    views: u32,
-    side: u32,
-    hold_out_every: usize,
+    data: &DataConfig,
     takes: &dyn Fn(bool) -> bool,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Dataset> {
-    let pixels = u64::from(views) * u64::from(side) * u64::from(side);
+    let side = u64::from(data.built_in_side);
+    let pixels = u64::from(data.built_in_views) * side * side;
     memory::check(3 * pixels, "the views of the built-in scene")?;
     let scene = renderer.upload(&demo::scene())?;
-    let mut poses = cameras(views, side, hold_out_every);
+    let mut poses = cameras(data);
     poses.retain(|pose| takes(pose.held_out));
     let mut frames = Vec::with_capacity(poses.len());
     for (index, Pose { camera, .. }) in poses.iter().enumerate() {
@@ -44,7 +51,7 @@ pub fn part(
         frames.push(Frame { name, camera: Camera { file_path: None, ..camera.clone() }, image });
     }
     progress(poses.len(), poses.len());
-    let mut dataset = Dataset::from_frames(frames, hold_out_every);
+    let mut dataset = Dataset::from_frames(frames, data.hold_out_every);
     (dataset.held_out, dataset.train) = (0..poses.len()).partition(|&at| poses[at].held_out);
     dataset.background = demo::BACKGROUND;
     Ok(dataset)
@@ -52,15 +59,16 @@ pub fn part(
 
 /// The cameras of [`dataset`], without the images.
 #[must_use]
-pub fn cameras(views: u32, side: u32, hold_out_every: usize) -> Vec<Pose> {
-    let cameras = demo::turntable(views as usize, side).into_iter().enumerate();
+pub fn cameras(data: &DataConfig) -> Vec<Pose> {
+    let options = data.options();
+    let cameras = demo::turntable(data.built_in_views as usize, data.built_in_side);
     let pose = |(index, camera)| Pose {
         camera: Camera { file_path: Some(name(index)), ..camera },
-        held_out: is_held_out(index, hold_out_every),
+        held_out: options.holds_out(index),
         photograph: None,
         distorted: false,
     };
-    cameras.map(pose).collect()
+    cameras.into_iter().enumerate().map(pose).collect()
 }
 
 fn name(index: usize) -> String {

@@ -34,6 +34,7 @@ impl DataConfig {
         DatasetOptions {
             downscale: self.downscale,
             hold_out_every: self.hold_out_every,
+            hold_out_length: self.hold_out_length,
             background: self.background,
             alpha: self.alpha,
             allow_outside: self.allow_outside,

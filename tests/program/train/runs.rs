@@ -9,7 +9,6 @@ use std::{fs, io};
 use image::RgbImage;
 use organza::data::{Dataset, Frame, Photograph};
 use organza::scene::read_tensors;
-use organza::train::built_in::cameras;
 use organza::train::evaluate::ViewScore;
 use organza::train::metrics::{MetricsLog, Record};
 use organza::train::report::Reporter;
@@ -50,7 +49,11 @@ fn views() -> &'static [(String, Vec<u8>)] {
         let renderer = Renderer::new(devices::cpu(None));
         let dataset = photographed(&renderer, &built_in(), VIEWS as usize, 0);
         let folder = tempfile::tempdir().expect("a folder");
-        let cameras: Vec<_> = cameras(VIEWS, SIDE, 0).into_iter().map(|pose| pose.camera).collect();
+        let camera = |Frame { name, camera, .. }: &Frame| Camera {
+            file_path: Some(name.clone()),
+            ..camera.clone()
+        };
+        let cameras: Vec<_> = dataset.frames.iter().map(camera).collect();
         Camera::save_all(folder.path().join("transforms.json"), &cameras).expect("cameras");
         for frame in &dataset.frames {
             let pixels = frame.image.pixels().as_flattened().to_vec();

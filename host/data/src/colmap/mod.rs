@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use super::lens::Lens;
 use super::panorama::{FACES, panorama_of};
-use super::{DatasetKind, DatasetOptions, Point, Poses, find, is_held_out, ply};
+use super::{DatasetKind, Point, Poses, find, ply};
 use model::{Image, Intrinsics};
 use organza_core::error::invalid;
 use organza_core::input::open_regular;
@@ -160,7 +160,7 @@ fn numbered(folder: &Path) -> Vec<PathBuf> {
 /// Reads a model, and finds its photographs.
 pub(super) fn list(poses: &mut Poses, model: &Model) -> Result<()> {
     let folder = &*poses.path.clone();
-    let DatasetOptions { downscale, hold_out_every, .. } = poses.options;
+    let downscale = poses.options.downscale;
     poses.kind = DatasetKind::Colmap;
     poses.notes.extend(model.note());
     let (cameras, points, file) = read(model)?;
@@ -177,7 +177,7 @@ pub(super) fn list(poses: &mut Poses, model: &Model) -> Result<()> {
         match in_images.or_else(|expected| photograph(&name).map_err(|_| expected)) {
             Ok(found) => {
                 poses.check_place(&found.path)?;
-                poses.add(found, camera, lens, is_held_out(position, hold_out_every))?;
+                poses.add(found, camera, lens, poses.options.holds_out(position))?;
             }
             Err(expected) => poses.missing.push(expected),
         }

@@ -37,7 +37,7 @@ fn unknown_folders_are_refused_with_the_expected_names() {
 }
 
 #[test]
-fn every_eighth_frame_is_held_out() {
+fn every_eighth_frame_or_third_arc_is_held_out() {
     let folder = nerfstudio_folder(&transforms(18));
     let dataset = load(folder.path()).unwrap();
     assert_eq!(dataset.held_out, [0, 8, 16]);
@@ -49,6 +49,10 @@ fn every_eighth_frame_is_held_out() {
     };
     assert_eq!(every(7), [0, 7, 14]);
     assert!(every(0).is_empty());
+    let options = DatasetOptions { hold_out_every: 3, hold_out_length: 4, ..in_the_world() };
+    let arcs = Dataset::load(folder.path(), &options).unwrap();
+    assert_eq!(arcs.held_out, [0, 1, 2, 3, 12, 13, 14, 15]);
+    assert_eq!(arcs.train, [4, 5, 6, 7, 8, 9, 10, 11, 16, 17]);
     let generated = Dataset::from_frames(dataset.frames.clone(), 8);
     assert_eq!((generated.held_out, generated.train), (dataset.held_out, dataset.train));
     assert_eq!(generated.kind, DatasetKind::Generated);

@@ -205,7 +205,7 @@ impl DataSet {
         }
         let held_out: Vec<_> = match trained {
             Some(poses) => poses.cameras()?.iter().map(|pose| pose.held_out).collect(),
-            None => built_in_cameras(&run.data).iter().map(|pose| pose.held_out).collect(),
+            None => built_in::cameras(&run.data).iter().map(|pose| pose.held_out).collect(),
         };
         // smaller photographs may be other files
         let is_same_size = run.data.downscale == data.settings.downscale;
@@ -305,7 +305,7 @@ impl DataSet {
         match &self.poses {
             Some(poses) => poses.cameras(),
             None => {
-                let mut poses = built_in_cameras(data);
+                let mut poses = built_in::cameras(data);
                 self.move_built_in(poses.iter_mut().map(|pose| &mut pose.camera));
                 Ok(poses)
             }
@@ -328,7 +328,7 @@ impl DataSet {
                 (Photographs::new(PhotographSource::Poses(Box::new(poses))), points)
             }
             None => {
-                let cameras = built_in_cameras(&self.settings).into_iter().map(|pose| pose.camera);
+                let cameras = built_in::cameras(&self.settings).into_iter().map(|pose| pose.camera);
                 let source = PhotographSource::BuiltIn(cameras.collect());
                 (Photographs::new(source), Vec::new())
             }
@@ -343,7 +343,7 @@ impl DataSet {
             (poses, _) => poses,
         };
         self.split = split;
-        let cameras = built_in_cameras(&self.settings);
+        let cameras = built_in::cameras(&self.settings);
         let mut cameras = cameras.iter();
         self.motions.retain(|_| cameras.next().is_some_and(|pose| split.takes(pose.held_out)));
         Ok(self)
@@ -354,12 +354,9 @@ impl DataSet {
         let Some(poses) = self.poses.take() else {
             let data = &self.settings;
             let bar = console.progress("rendering the built-in scene", 0, "views");
-            let views = data.built_in_views;
-            let side = data.built_in_side;
-            let every = data.hold_out_every;
             let progress = &mut |done, all| bar.set_of(done, all);
             let takes = |is_held_out| self.split.takes(is_held_out);
-            let mut dataset = built_in::part(renderer, views, side, every, &takes, progress)?;
+            let mut dataset = built_in::part(renderer, data, &takes, progress)?;
             self.move_built_in(dataset.frames.iter_mut().map(|frame| &mut frame.camera));
             return Ok(dataset);
         };
@@ -402,11 +399,6 @@ pub fn check_place(data: &DataConfig, folder: &Path) -> Result<()> {
             folder.join(CONFIG).display()
         ),
     )
-}
-
-/// The cameras of the built-in scene, from which its photographs were rendered.
-fn built_in_cameras(data: &DataConfig) -> Vec<Pose> {
-    built_in::cameras(data.built_in_views, data.built_in_side, data.hold_out_every)
 }
 
 /// Warns of a data set's files that do not exist, and of files outside its folder.

@@ -158,6 +158,9 @@ macro_rules! define {
                 /// Hold out every Nth frame, starting with the first; 0: none.
                 #[option("--hold-out-every <N>")]
                 hold_out_every: usize = 8;
+                /// Number of neighboring frames to hold out together: every Nth stretch of so many.
+                #[see("data.md#held-out-frames")]
+                hold_out_length: usize = 1, in 1..;
                 /// Color behind the scene, and behind photographs with an alpha channel: a name such as white, or red,
                 /// green and blue from 0 to 1 such as 1,1,1. `auto` chooses.
                 #[option("--background <COLOR>")]

@@ -31,6 +31,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("organza capture", "it needs ffmpeg and COLMAP; `.ci/nightly` runs it"),
     ("organza train garden", "it needs ffmpeg and COLMAP; tests/program/capture.rs has stand-ins"),
     ("organza train still", "it needs what `organza capture` makes"),
+    ("organza mesh", "a scene of so few steps has no surfaces; tests/program/mesh.rs runs it"),
     ("organza film garden", "it needs ffmpeg, which not everybody has"),
     ("organza export-web garden", "it needs what `organza train` makes of a video"),
     ("pip ", "it needs PyPI"),

@@ -1,7 +1,5 @@
 //! Results, files and messages of the program when all is well.
 
-use std::fs;
-
 use organza::image::to_8_bit;
 use organza::scene::read_tensors;
 use organza::{DeviceOptions, Renderer};
@@ -13,8 +11,8 @@ use crate::sandbox::{RENDER, Sandbox, TILES};
 
 /// The names of the cases in the repository.
 fn names() -> Vec<String> {
-    let folders = fs::read_dir(cases::folder()).unwrap();
-    folders.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+    let folders = cases::subfolders(&cases::folder());
+    folders.iter().map(|folder| folder.file_name().unwrap().to_str().unwrap().to_owned()).collect()
 }
 
 #[test]

@@ -78,7 +78,8 @@ pub fn thinned(nth: usize, wider: f32) -> Scene {
     scene
 }
 
-fn subfolders(folder: &Path) -> Vec<PathBuf> {
+/// The folders of cases in a folder.
+pub fn subfolders(folder: &Path) -> Vec<PathBuf> {
     let entries =
         std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let mut folders: Vec<_> = entries

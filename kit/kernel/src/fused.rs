@@ -140,11 +140,11 @@ pub(crate) fn check_number(x: f32) {
     }
 }
 
-/// Refuses a number that has no finite real logarithm, in debug builds.
+/// Refuses a number that has no finite real logarithm.
 #[inline(always)]
 #[track_caller]
 pub(crate) fn check_logarithm(x: f32) {
-    if cfg!(debug_assertions) && !(x >= 0.0 && x < f32::INFINITY) && is_checked() {
+    if !(x >= 0.0 && x < f32::INFINITY) && is_checked() {
         panic!("takes the logarithm or a power of {x}, which is no finite number from 0 on");
     }
 }

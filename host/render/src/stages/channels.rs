@@ -65,8 +65,8 @@ fn resolve(channel: Channel, sum: &[f32], area: usize, placement: &Placement) ->
     }
 }
 
-/// The values `[pairs, 3]` of a source other than color.
-fn values(context: TileContext<'_>, source: Source) -> Result<Buffer<f32>> {
+/// The values `[pairs, 3]` of the sources other than color: measures, and normals.
+fn values(context: TileContext<'_>) -> Result<[Buffer<f32>; 2]> {
     let TileContext { scene, bins, transmittance, .. } = context;
     let device = scene.device();
     let pairs = &bins.pairs;
@@ -87,18 +87,18 @@ fn values(context: TileContext<'_>, source: Source) -> Result<Buffer<f32>> {
         normals: &normals,
     };
     device.run(&kernel.counted(&pairs.count), capacity, 1)?;
-    Ok(if source == Source::Measure { measure } else { normals })
+    Ok([measure, normals])
 }
 
 /// The same in the coordinates of the first scene, in which this one has a place.
-fn moved(context: TileContext<'_>, source: Source) -> Result<Buffer<f32>> {
+fn moved(context: TileContext<'_>, source: Source, values: &Buffer<f32>) -> Result<Buffer<f32>> {
     let device = context.scene.device();
     let place = &context.scene.place;
     let matrix = match source {
         Source::Normals => place.rotation().as_mat3(),
         _ => Mat3::from_diagonal(Vec3::new(place.scale as f32, 1.0, 1.0)),
     };
-    let mut values: Vec<Vec3> = device.read(&values(context, source)?.view())?;
+    let mut values: Vec<Vec3> = device.read(&values.view())?;
     values.iter_mut().for_each(|value| *value = matrix * *value);
     device.upload("channels of another scene", bytemuck::cast_slice(&values))
 }
@@ -122,10 +122,15 @@ impl ChannelSums {
         if is_needed(&Source::Color) {
             sums.push((Source::Color, composite.sum.view()));
         }
-        for source in [Source::Measure, Source::Normals].into_iter().filter(is_needed) {
-            let (sum, _) = weighted_sum(contexts[0], &values(contexts[0], source)?)?;
-            for other in &contexts[1..] {
-                add_weighted(*other, &moved(*other, source)?, &sum)?;
+        let others = [Source::Measure, Source::Normals];
+        if !others.iter().any(is_needed) {
+            return Ok(Self { sums, placement });
+        }
+        let values = contexts.iter().map(|context| values(*context)).collect::<Result<Vec<_>>>()?;
+        for (index, source) in others.into_iter().enumerate().filter(|(_, one)| is_needed(one)) {
+            let (sum, _) = weighted_sum(contexts[0], &values[0][index])?;
+            for (other, values) in contexts.iter().zip(&values).skip(1) {
+                add_weighted(*other, &moved(*other, source, &values[index])?, &sum)?;
             }
             sums.push((source, sum.view()));
         }

@@ -79,7 +79,11 @@ impl Transmittance {
         cameras: &[&Camera],
         pairs: &Pairs,
     ) -> Result<u32> {
+        if scene.fields.is_empty() {
+            return Ok(0);
+        }
         let device = scene.device();
+        let mut product = device.read(&self.transmittance)?;
         let mut samples = 0_u32;
         for field in &scene.fields {
             let pairs = pairs.seen_by(field.cameras(cameras)?);
@@ -87,11 +91,10 @@ impl Transmittance {
             let count = total(device, &segments.1)?;
             samples = samples.saturating_add(count.upper_bound());
             let other = Self::evaluate(field, &pairs, segments, count, false)?;
-            let mut product = device.read(&self.transmittance)?;
             let others = device.read(&other.transmittance)?;
             product.iter_mut().zip(others).for_each(|(t, other)| *t *= other);
-            self.transmittance = device.upload("transmittance", &product)?;
         }
+        self.transmittance = device.upload("transmittance", &product)?;
         Ok(samples)
     }
 }

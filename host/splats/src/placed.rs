@@ -31,9 +31,13 @@ pub fn save_scene(
         turn(&mut file, in_file.rotation(), in_file.scale, |place| in_file.world(place));
     }
     let written = save(&file, path, format, placement.world_direction(up), &said)?;
-    let left_out = placement.in_meters().offset;
-    let left_out = (in_file.offset != left_out).then_some(left_out);
-    Ok((written.into_own(placement)?, left_out))
+    Ok((written.into_own(placement)?, left_out(placement, &in_file)))
+}
+
+/// The offset of a scene that a file leaves out, in the file's unit.
+pub(crate) fn left_out(placement: &Placement, in_file: &Placement) -> Option<[f64; 3]> {
+    let offset = placement.in_meters().offset;
+    (in_file.offset != offset).then_some(offset)
 }
 
 /// The place of a scene in the space of a file, and of the file in the world. The file's unit is the meter if it is known. The file

@@ -12,7 +12,7 @@ use organza::{Renderer, Result, Scene};
 use super::console::Console;
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
-use super::output::{check_file, made_of};
+use super::output::{check_file, made_of, relative_to};
 use super::refuse;
 use super::summary::count;
 
@@ -104,12 +104,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let up = Orbit::around(&views.fitted)?.up;
     let (written, offset) =
         splats::save_scene(&distilled.splats, &args.output, format, up, &placement)?;
-    if let Some([x, y, z]) = offset {
+    if let Some(left_out) = offset {
         let said = if format.says_placement() { ", as it says itself" } else { "" };
-        console.warn(&format!(
-            "the scene is so far from the origin that positions of 32 bits would be rounded too much: those in the file are \
-             relative to {x},{y},{z}{said}"
-        ));
+        console.warn(&(relative_to(left_out) + said));
     }
     say_psnr(&views, &distilled, &written, args.steps, console);
     if let Some(data) = data {

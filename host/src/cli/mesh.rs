@@ -10,7 +10,7 @@ use organza::{Camera, Result, Scene};
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
-use super::output::check_file;
+use super::output::{check_file, relative_to};
 use super::summary::grouped;
 
 const USAGE: &str = "organza mesh SCENE CAMERAS -o FILE";
@@ -79,11 +79,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     })?;
     let placement = &scene.config.placement;
     let up = Orbit::around(&cameras)?.up;
-    if let Some([x, y, z]) = save_mesh(&mesh, &args.output, format, up, placement)? {
-        console.warn(&format!(
-            "the scene is so far from the origin that positions of 32 bits would be rounded too much: those in the file are \
-             relative to {x},{y},{z}"
-        ));
+    if let Some(left_out) = save_mesh(&mesh, &args.output, format, up, placement)? {
+        console.warn(&relative_to(left_out));
     }
     let bytes = std::fs::metadata(&args.output).map_or(0, |file| file.len());
     let file = args.output.display();

@@ -34,6 +34,14 @@ pub fn check_scene_file(path: &Path, inputs: &[&Path]) -> Result<()> {
     check_file(path, inputs)
 }
 
+/// Says that a file leaves out an offset.
+pub fn relative_to([x, y, z]: [f64; 3]) -> String {
+    format!(
+        "the scene is so far from the origin that positions of 32 bits would be rounded too much: those in the file are \
+         relative to {x},{y},{z}"
+    )
+}
+
 /// Fails if a folder holds a training run.
 pub fn refuse_run(folder: &Path) -> Result<()> {
     match FileKind::from_path(folder) {

@@ -90,8 +90,6 @@ pub fn write(
     let named =
         attributes.iter().enumerate().map(|(at, attribute)| (attribute.name.clone(), at.into()));
     let named: Map<String, Value> = named.collect();
-    // in glTF, y points up
-    let turn = Quat::from_rotation_arc(up.try_normalize().unwrap_or(Vec3::Y), Vec3::Y);
     let mut extension = json!({"projection": "perspective", "sortingMethod": "cameraDistance"});
     KNOWN.into_iter().for_each(|(key, value)| extension[key] = json!(value));
     let primitive = json!({"attributes": named, "mode": 0, "extensions": {EXTENSION: extension}});
@@ -100,7 +98,7 @@ pub fn write(
         "extensionsUsed": [EXTENSION],
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, "rotation": turn.to_array(), "extras": {PLACEMENT: placement}}],
+        "nodes": [{"mesh": 0, "rotation": y_up(up), "extras": {PLACEMENT: placement}}],
         "meshes": [{"primitives": [primitive]}],
         "accessors": accessors,
         "bufferViews": views,
@@ -109,6 +107,11 @@ pub fn write(
     write_container(&json, length, file)?;
     // each attribute is freed after it is written
     attributes.drain(..).try_for_each(|attribute| file.write_all(&attribute.bytes))
+}
+
+/// The rotation of a node, x y z w, that turns `up` to y, which is up in glTF.
+pub(super) fn y_up(up: Vec3) -> [f32; 4] {
+    Quat::from_rotation_arc(up.try_normalize().unwrap_or(Vec3::Y), Vec3::Y).to_array()
 }
 
 /// What a file says of itself.

@@ -3,16 +3,16 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use glam::{DVec3, Quat, Vec3};
+use glam::{DVec3, Vec3};
 use organza_core::error::refuse;
 use organza_core::input::has_extension;
 use organza_core::scene::Placement;
 use organza_core::{Result, write_atomic};
 use serde_json::json;
 
-use super::gltf::{FLOAT, VERTICES, asset, write_container};
+use super::gltf::{FLOAT, VERTICES, asset, write_container, y_up};
 use crate::Mesh;
-use crate::placed::in_file;
+use crate::placed::{in_file, left_out};
 
 /// glTF's codes for indices.
 const UNSIGNED_INT: u32 = 5125;
@@ -66,8 +66,7 @@ pub fn save_mesh(
         MeshFormat::Obj => write_obj(mesh, &places, file),
         MeshFormat::Glb => write_glb(mesh, &places, up, file),
     })?;
-    let left_out = placement.in_meters().offset;
-    Ok((in_file.offset != left_out).then_some(left_out))
+    Ok(left_out(placement, &in_file))
 }
 
 fn write_ply(mesh: &Mesh, places: &[[f32; 3]], file: &mut dyn Write) -> io::Result<()> {
@@ -122,13 +121,12 @@ fn write_glb(mesh: &Mesh, places: &[[f32; 3]], up: Vec3, file: &mut dyn Write) -
     };
     position["min"] = json!(ends(Vec3::min));
     position["max"] = json!(ends(Vec3::max));
-    let turn = Quat::from_rotation_arc(up.try_normalize().unwrap_or(Vec3::Y), Vec3::Y);
     let length = parts.iter().map(|bytes| bytes.len()).sum();
     let json = json!({
         "asset": asset(),
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, "rotation": turn.to_array()}],
+        "nodes": [{"mesh": 0, "rotation": y_up(up)}],
         "meshes": [{"primitives": [
             {"attributes": {"POSITION": 0, "COLOR_0": 1}, "indices": 2, "material": 0}
         ]}],

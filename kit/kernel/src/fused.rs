@@ -141,6 +141,7 @@ pub(crate) fn check_number(x: f32) {
 }
 
 /// Refuses a number that has no finite real logarithm.
+#[cfg(debug_assertions)]
 #[inline(always)]
 #[track_caller]
 pub(crate) fn check_logarithm(x: f32) {

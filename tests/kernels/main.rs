@@ -3,7 +3,6 @@
 
 mod compiled;
 mod interop;
-mod isa;
 mod kernel_rules;
 mod large;
 mod parity;

@@ -18,16 +18,15 @@ mod not_numbers;
 mod rules;
 mod shared_bools;
 mod small_integers;
-mod tool;
 mod validate;
 
+use std::env;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::time::Instant;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use clap::{Args, Parser};
-use muslin_isa::FAMILIES;
 use muslin_manifest::{List, Manifest, set_failure, source_hash};
 
 use compiler::{Compiler, compile, isolate};
@@ -63,9 +62,9 @@ impl Project {
     #[must_use]
     pub fn from_xtask(xtask: &str, shader_crate: &str) -> Self {
         // Asks cargo at run time: a copy of the workspace may share the compiled xtask.
-        let xtask = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or(xtask.into());
+        let xtask = env::var_os("CARGO_MANIFEST_DIR").unwrap_or(xtask.into());
         let root = Path::new(&xtask).parent().expect("a folder of the workspace").to_owned();
-        let target = std::env::var_os("CARGO_TARGET_DIR").map_or("target".into(), PathBuf::from);
+        let target = env::var_os("CARGO_TARGET_DIR").map_or("target".into(), PathBuf::from);
         Self {
             shader_crate: shader_crate.into(),
             sources: vec![shader_crate.into()],
@@ -88,12 +87,6 @@ enum Task {
     Kernels(Options),
     /// List the kernels: their bindings, workgroups, code and loops
     List,
-    /// Show the machine code that the compiler of an AMD GPU makes of the kernels, without the GPU
-    Isa {
-        /// A family of AMD GPUs, as Mesa's RADV names it; can be given several times
-        #[arg(long, default_values = FAMILIES)]
-        family: Vec<String>,
-    },
     /// Compare each kernel on every device with the CPU and with its equations
     Parity(More),
     /// Measure each kernel, beside what the device could compute and read
@@ -133,9 +126,8 @@ pub fn main(project: &Project) -> ExitCode {
     let result = match Task::parse() {
         Task::Kernels(options) => run(project, options),
         Task::List => list(project),
-        Task::Isa { family } => tool::isa(project, &family),
-        Task::Parity(options) => tool::run(project, project.parity, &options.more),
-        Task::Bench(options) => tool::run(project, project.bench, &options.more),
+        Task::Parity(options) => cargo(project, project.parity, &options.more),
+        Task::Bench(options) => cargo(project, project.bench, &options.more),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -144,6 +136,15 @@ pub fn main(project: &Project) -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Runs cargo in the workspace, with arguments, and shows what it prints.
+fn cargo(project: &Project, arguments: &str, more: &[String]) -> Result<()> {
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.current_dir(&project.root).args(arguments.split_whitespace()).args(more);
+    let status = cargo.status().context("cannot run cargo")?;
+    ensure!(status.success(), "`cargo {arguments}` failed: {status}");
+    Ok(())
 }
 
 /// Lists the kernels, with the modules that are compiled.

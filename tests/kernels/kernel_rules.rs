@@ -56,7 +56,6 @@ fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
     // features that an adapter may have
     use naga::valid::Capabilities;
     let offered = Capabilities::SHADER_FLOAT16
-        | Capabilities::SUBGROUP
         | Capabilities::SHADER_INT64
         | Capabilities::SHADER_INT64_ATOMIC_ALL_OPS;
     let mut validator = naga::valid::Validator::new(flags, offered);

@@ -46,7 +46,6 @@ fn validate(spirv: &[u8]) -> Result<Result<(), String>> {
 
 /// What a kernel can need, and an adapter may have.
 const OFFERED: Capabilities = Capabilities::SHADER_FLOAT16
-    .union(Capabilities::SUBGROUP)
     .union(Capabilities::SHADER_INT64)
     .union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS);
 
@@ -98,15 +97,13 @@ pub fn to_wgsl(spirv: &[u8]) -> Result<Option<String>> {
     let validate = |offered| {
         Validator::new(ValidationFlags::all(), offered).validate(&module).map_err(Box::new)
     };
-    // browsers want to be told of subgroups, and naga does not tell them
-    let (info, head) = match (validate(Capabilities::empty()), validate(Capabilities::SUBGROUP)) {
-        (Ok(info), _) => (info, ""),
-        (_, Ok(info)) => (info, "enable subgroups;\n\n"),
-        _ if validate(OFFERED).is_ok() => return Ok(None),
-        (Err(error), _) => bail!("the module is not for browsers: {:?}", error.into_inner()),
+    let info = match validate(Capabilities::empty()) {
+        Ok(info) => info,
+        Err(_) if validate(OFFERED).is_ok() => return Ok(None),
+        Err(error) => bail!("the module is not for browsers: {:?}", error.into_inner()),
     };
     let text = write_string(&module, &info, WriterFlags::empty())?;
-    Ok(Some(head.to_owned() + &text.replace(LARGEST, LARGEST_IN_HEX)))
+    Ok(Some(text.replace(LARGEST, LARGEST_IN_HEX)))
 }
 
 /// Always fails, because the program was built without the feature `wgsl`.

@@ -29,8 +29,6 @@ struct Launch<'a> {
     needed: UVec3,
     is_checked: bool,
     time_limit: Option<Duration>,
-    /// Number of lanes of a subgroup, in a kernel that declares them.
-    subgroup_size: Option<u32>,
     mode: RunMode,
 }
 
@@ -103,15 +101,7 @@ impl Launch<'_> {
             CpuRun::Invocation(run) => unsafe {
                 let places = [size, place, self.workgroups];
                 let is_watched = self.is_checked || cfg!(debug_assertions);
-                workgroup::run_bound(
-                    self.shared,
-                    run,
-                    self.bindings,
-                    places,
-                    order,
-                    self.subgroup_size,
-                    is_watched,
-                )
+                workgroup::run_bound(self.shared, run, self.bindings, places, order, is_watched)
             },
         }
     }
@@ -165,9 +155,6 @@ impl Cpu {
             needed: job.workgroups.needed.into(),
             is_checked: self.check_races,
             time_limit: self.time_limit,
-            subgroup_size: info
-                .subgroups
-                .then_some(mode.subgroup_size.unwrap_or(self.subgroup_size)),
             mode,
         };
         self.launch(&launch)?;

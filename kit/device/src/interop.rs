@@ -29,8 +29,8 @@ impl Device {
     /// A device that the program has opened. Of the options, it takes [`spirv`](DeviceOptions::spirv),
     /// [`variants`](DeviceOptions::variants) and [`extra_workgroup`](DeviceOptions::extra_workgroup).
     ///
-    /// With the feature `PASSTHROUGH_SHADERS`, Vulkan gets the kernels' SPIR-V; otherwise naga translates it. Kernels with subgroups need the feature
-    /// `SUBGROUP`, variants with 64-bit sums `SHADER_INT64` and `SHADER_INT64_ATOMIC_ALL_OPS`, and timings `TIMESTAMP_QUERY`.
+    /// With the feature `PASSTHROUGH_SHADERS`, Vulkan gets the kernels' SPIR-V; otherwise naga translates it. Variants with 64-bit
+    /// sums need the features `SHADER_INT64` and `SHADER_INT64_ATOMIC_ALL_OPS`, and timings `TIMESTAMP_QUERY`.
     ///
     /// The device keeps its callbacks: an error that wgpu reports, or the loss of the device, goes to the program.
     ///

@@ -125,15 +125,15 @@ fn a_generic_kernel_is_told_what_to_do() {
 
 #[test]
 fn kernels_that_wait_have_no_lanes() {
-    let kernel = |options| {
+    let kernel = |shared| {
         let function = quote!(
-            pub fn blur<L: Lane>(id: Invocation, params: &Size) {}
+            pub fn blur<L: Lane>(id: Invocation, params: &Size, #shared) {}
         );
-        Kernel::parse(quote!(threads(64), lanes(count), #options), function).err()
+        Kernel::parse(quote!(threads(64), lanes(count)), function).err()
     };
     assert!(kernel(quote!()).is_none());
-    let message = kernel(quote!(storage_barriers)).unwrap().to_string();
-    assert!(message.ends_with("or storage barriers has no `lanes`"), "{message}");
+    let message = kernel(quote!(sums: Shared<f32, 64>)).unwrap().to_string();
+    assert_eq!(message, "a kernel with workgroup memory has no `lanes`");
 }
 
 #[test]

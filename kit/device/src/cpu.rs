@@ -2,15 +2,13 @@
 
 use std::cell::Cell;
 use std::ops::Range;
-use std::time::Duration;
 
 use muslin_kernel::KernelInfo;
 use muslin_kernel::kernel::{EntryPoint, InstructionSet};
 use rayon::prelude::*;
 
 use crate::cpu_memory::{CpuMemory, MemoryPool};
-use crate::{DeviceOptions, Error, Result};
-use crate::{memory, watchdog};
+use crate::{DeviceOptions, Error, Result, memory, panics};
 
 thread_local! {
     /// Number of threads that work independently, including this one; 0 if a dispatch uses all threads.
@@ -42,7 +40,6 @@ pub struct Cpu {
     pub(crate) pool: rayon::ThreadPool,
     pub(crate) check_races: bool,
     pub(crate) check_nan: bool,
-    pub(crate) time_limit: Option<Duration>,
     pub(crate) thorough: Option<u64>,
     pub(crate) flush_denormals: bool,
     /// Whether kernels run as their variants.
@@ -53,8 +50,7 @@ pub struct Cpu {
 
 impl Cpu {
     pub fn new(options: &DeviceOptions) -> Result<Self> {
-        let DeviceOptions { threads, check_races, check_nan, instruction_set, time_limit, .. } =
-            *options;
+        let DeviceOptions { threads, check_races, check_nan, instruction_set, .. } = *options;
         // a monitor handles one invocation at a time
         let best = if check_races { InstructionSet::Scalar } else { InstructionSet::best() };
         let instruction_set = instruction_set.unwrap_or(best);
@@ -62,7 +58,7 @@ impl Cpu {
             let reason = format!("this CPU does not have {}", instruction_set.as_str());
             return Err(Error::Argument { reason });
         }
-        watchdog::install();
+        panics::install();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.unwrap_or(0))
             .thread_name(|index| format!("muslin-{index}"))
@@ -76,7 +72,6 @@ impl Cpu {
             pool,
             check_races,
             check_nan,
-            time_limit,
             thorough: options.thorough,
             flush_denormals: options.flush_denormals,
             variants,

@@ -1,7 +1,5 @@
 //! Dispatches of the CPU backend.
 
-use std::time::Duration;
-
 use glam::{UVec3, Vec3Swizzles};
 use muslin_kernel::invocation::Invocation;
 use muslin_kernel::kernel::{CpuBinding, CpuRun, KernelInfo, SharedInfo};
@@ -13,7 +11,7 @@ use crate::buffer::RawBuffer;
 use crate::cpu::Cpu;
 use crate::job::{KernelJob, Monitor, RunMode, Workgroups, bind, monitors};
 use crate::thorough::Flushing;
-use crate::{Error, Result, thorough, watchdog};
+use crate::{Error, Result, panics, thorough};
 
 /// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.
 const AT_ONCE: u64 = 8;
@@ -28,7 +26,6 @@ struct Launch<'a> {
     /// The workgroups that are not additional.
     needed: UVec3,
     is_checked: bool,
-    time_limit: Option<Duration>,
     mode: RunMode,
 }
 
@@ -45,9 +42,8 @@ impl Launch<'_> {
         let local = UVec3::from(self.info.workgroup_size);
         let place = self.place(index);
         let first = Invocation::new(UVec3::ZERO, place, self.workgroups, local);
-        let kernel = self.info.name;
         begin(Some(RunningInvocation {
-            kernel,
+            kernel: self.info.name,
             id: first,
             is_checked: self.is_checked,
             is_additional: place.cmpge(self.needed).any(),
@@ -55,10 +51,7 @@ impl Launch<'_> {
         // each workgroup has an order of its own
         let count = u64::from(local.element_product());
         let order = self.mode.order.map(|order| order.permutation(count, 1 + index));
-        match self.time_limit {
-            Some(limit) => watchdog::run(limit, kernel, || self.run_at(place, order.as_deref())),
-            None => self.run_at(place, order.as_deref()),
-        }
+        self.run_at(place, order.as_deref())
     }
 
     fn run_at(&self, place: UVec3, order: Option<&[u64]>) -> Result<(), String> {
@@ -108,7 +101,7 @@ impl Launch<'_> {
 
     fn run_some(&self, mut indices: impl Iterator<Item = u64>) -> Result<(), String> {
         let _flushing = self.mode.is_flushing.then(Flushing::enable);
-        watchdog::supervise(|| indices.try_for_each(|index| self.run(index)))
+        panics::supervise(|| indices.try_for_each(|index| self.run(index)))
     }
 }
 
@@ -154,7 +147,6 @@ impl Cpu {
             workgroups: job.workgroups.all.into(),
             needed: job.workgroups.needed.into(),
             is_checked: self.check_races,
-            time_limit: self.time_limit,
             mode,
         };
         self.launch(&launch)?;

@@ -83,11 +83,11 @@ mod interop;
 mod job;
 mod modules;
 mod options;
+mod panics;
 mod plan;
 mod races;
 mod thorough;
 mod transfer;
-mod watchdog;
 
 pub use buffer::{Buffer, Count, Host, TAIL_ALIGNMENT};
 pub use device::{Device, KernelTime, Traffic};

@@ -1,7 +1,5 @@
 //! Options of a device, and its choice.
 
-use std::time::Duration;
-
 use crate::device::{Device, DeviceKind};
 use crate::plan::Planner;
 use crate::{Error, Modules, Result};
@@ -83,9 +81,6 @@ pub struct DeviceOptions {
     /// Whether [`Device::run`](crate::Device::run) and [`Device::run_over`](crate::Device::run_over) start one workgroup more than needed along x, and along y if
     /// there is a size. For tests of kernels: the additional invocations must do nothing.
     pub extra_workgroup: bool,
-    /// How long a workgroup may run on the CPU, by its thread's clock. What takes longer is an error; outside of Linux on x86-64 it ends
-    /// the program. For tests of kernels: a loop in a helper may never end.
-    pub time_limit: Option<Duration>,
     /// With [`check_races`](Self::check_races), a seed: each dispatch runs in a random order of workgroups and invocations, on one
     /// thread, once more in the reverse order, once more without denormals (on x86-64), and once more with fused and with regrouped
     /// arithmetic (in debug builds). The results must agree; where the arithmetic is another one, the integers and which floats are finite, and where
@@ -117,17 +112,10 @@ impl DeviceOptions {
     }
 
     /// The CPU for tests of kernels: it [looks for races](Self::check_races), for reads of unwritten elements and for
-    /// [NaN](Self::check_nan), runs [one workgroup more](Self::extra_workgroup) than needed, and ends what takes
-    /// [longer](Self::time_limit) than 30 seconds.
+    /// [NaN](Self::check_nan), and runs [one workgroup more](Self::extra_workgroup) than needed.
     #[must_use]
     pub fn checked() -> Self {
-        Self {
-            check_races: true,
-            check_nan: true,
-            extra_workgroup: true,
-            time_limit: Some(Duration::from_secs(30)),
-            ..Self::cpu(None)
-        }
+        Self { check_races: true, check_nan: true, extra_workgroup: true, ..Self::cpu(None) }
     }
 
     /// Like [`checked`](Self::checked), for all that takes several times as long: see [`thorough`](Self::thorough). Each seed is
@@ -161,7 +149,6 @@ setters! {
     check_races: bool,
     check_nan: bool,
     extra_workgroup: bool,
-    time_limit: impl Into<Option<Duration>>,
     flush_denormals: bool,
     instruction_set: impl Into<Option<InstructionSet>>,
     variants: impl Into<Option<bool>>,

@@ -207,13 +207,6 @@ fn go_on(
     Ok(())
 }
 
-/// Forgets the workgroup that the thread has left in the middle.
-#[doc(hidden)]
-pub fn abandon() {
-    CURRENT.set(ptr::null());
-    stop::take_path();
-}
-
 /// Ends invocations that are still waiting.
 fn give_up(invocations: Vec<Body>) {
     CURRENT.set(ptr::null());

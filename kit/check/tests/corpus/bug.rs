@@ -1,7 +1,6 @@
 //! The tools to test a wrong kernel, and the results of its test.
 
 use std::fmt::Debug;
-use std::time::Duration;
 
 pub use muslin::atomic;
 use muslin::kernel::{Dispatch, InstructionSet};
@@ -57,9 +56,6 @@ impl From<Error> for Found {
     }
 }
 
-/// Time after which a run that does not end is stopped.
-const LIMIT: Duration = Duration::from_millis(500);
-
 /// A device, and the functions that tests of kernels need.
 pub struct Bench {
     /// The CPU with one thread, so that each run gives the same result.
@@ -70,12 +66,10 @@ impl Bench {
     /// The CPU as programs use it, with eight lanes on every machine; as tests should use it; and as a project's CI should.
     pub fn all() -> [Self; 3] {
         let plain = DeviceOptions::cpu(1).instruction_set(InstructionSet::Plain);
-        // programs have no limit of time, and would hang
         let all =
             [plain, DeviceOptions::checked().threads(1), DeviceOptions::thorough(1).threads(1)];
-        all.map(|options| {
-            let options = options.time_limit(LIMIT);
-            Self { device: Device::open(&options, Modules::none()).expect("the CPU") }
+        all.map(|options| Self {
+            device: Device::open(&options, Modules::none()).expect("the CPU"),
         })
     }
 

@@ -31,8 +31,6 @@ fn find(bug: &'static Bug) -> Finding {
         Ok(()) => None,
     });
     let [plain, checked, thorough] = found;
-    // the plain device of these tests has a time limit, a program's has none
-    let plain = plain.filter(|text| !is_of_time(text));
     let device = match (&plain, &checked, &thorough) {
         (Some(_), ..) => "any",
         (_, Some(_), _) => "checked",
@@ -41,20 +39,10 @@ fn find(bug: &'static Bug) -> Finding {
     };
     let text = checked.or(thorough).or(plain).or(value);
     let text = text.unwrap_or_else(|| panic!("nothing finds `{}`", bug.name));
-    let marked = marked(bug);
-    let (message, mut line) = shorten(bug, &text);
-    // a loop is left anywhere in it, so all of it is marked
-    if is_of_time(&text) && line.is_some_and(|line| marked.contains(&line)) {
-        line = marked.first().copied();
-    }
+    let (message, line) = shorten(bug, &text);
     let place = ["kernel `", "invocation ["];
     let has_place = place.iter().all(|part| text.contains(part));
     Finding { bug, device, message, line, has_place }
-}
-
-/// Whether a message is about a workgroup that does not end.
-fn is_of_time(text: &str) -> bool {
-    text.contains("does not end")
 }
 
 /// The message without the kernel, the place and the invocation; and the line number of the place.

@@ -3,7 +3,6 @@
 mod core_functions;
 mod elementary;
 mod language;
-mod small_integers;
 mod vectors;
 
 use muslin_check::Case;

@@ -6,7 +6,6 @@
 pub mod core_functions;
 pub mod elementary;
 pub mod language;
-pub mod small_integers;
 pub mod vectors;
 
 /// Writes values to one element of each row of an output.

@@ -43,7 +43,7 @@ impl Parity for CoreFunctions {
         let [u, v] = [self.u[at], self.v[at]];
         let [a, b] = [u, v].map(i64::from);
         let [i, j] = [u, v].map(|bits| i64::from(bits as i32));
-        let in_i32 = |x: i64| x.clamp(i32::MIN.into(), i32::MAX.into()) as i32 as u32;
+        let signed = |x: i64| (x + 128).rem_euclid(256) - 128;
         let checked = |x: i64| i32::try_from(x).unwrap_or(77) as u32;
         let is_beyond = |x: i64| u32::from(i32::try_from(x).is_err());
         let bits = |x: f64| (x as f32).to_bits();
@@ -62,23 +62,19 @@ impl Parity for CoreFunctions {
             59 => bits(x.floor()),
             60 => bits(x.round()),
             61 => bits(x.trunc()),
-            84 => ((i + 128).rem_euclid(256) - 128) as u32,
+            84 => signed(i) as u32,
             85 => ((i + 32_768).rem_euclid(65_536) - 32_768) as u32,
             86 => (a % 256 + b % 65_536) as u32,
             87 => ((a + b) % 256) as u32,
-            90 => (a + b).min(u32::MAX.into()) as u32,
-            91 => (a - b).max(0) as u32,
-            92 => in_i32(i + j),
-            93 => in_i32(i - j),
-            94 => f64::from(u).sqrt() as u32,
-            95 => ((u64::from(u) * u64::from(v)) >> 32) as u32,
-            96 if u & 0x7fff <= 0x7c00 => bits(half(u & 0xffff)),
-            97 => bits(x.ceil()),
-            105 => checked(i + j),
-            106 => checked(i - j),
-            114 => is_beyond(i + j),
-            115 => is_beyond(i - j),
-            116 => is_beyond(i + b),
+            88 => u32::from(signed(i) < signed(j)) + 2 * u32::from(a % 256 < b % 256),
+            90 if u & 0x7fff <= 0x7c00 => bits(half(u & 0xffff)),
+            91 => bits(x.ceil()),
+            92 => u32::from(x.is_finite()),
+            99 => checked(i + j),
+            100 => checked(i - j),
+            108 => is_beyond(i + j),
+            109 => is_beyond(i - j),
+            110 => is_beyond(i + b),
             _ => return Some(Rounded::UNKNOWN),
         };
         Some(value.into())

@@ -45,7 +45,6 @@ impl Parity for VectorMethods {
         let [x, y] = [&self.x, &self.y].map(|values| f64::from(values[index].x));
         let value = match method {
             "round" | "round of Vec3" | "math::round" => x.round(),
-            "math::round_even" => x.round_ties_even(),
             "floor" | "math::floor" => x.floor(),
             "ceil" | "math::ceil" => x.ceil(),
             "trunc" | "math::truncate" => x.trunc(),

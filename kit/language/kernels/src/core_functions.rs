@@ -9,7 +9,7 @@ use muslin::math;
 use muslin::prelude::*;
 
 /// Rows of [`core_functions`].
-pub const ROWS: u32 = 118;
+pub const ROWS: u32 = 112;
 
 /// Invocations of a workgroup.
 pub const WORKGROUP: usize = 64;
@@ -90,8 +90,8 @@ fn value(row: u32, of: Arguments) -> u32 {
         50..=62 => of_floats(row, of.x, of.y),
         63..=83 => of_language(row, of.u, of.v),
         84..=89 => of_small(row, of.u as i32, of.v as i32),
-        90..=99 => of_math(row, of),
-        117 => of_enums(of.u, of.v),
+        90..=93 => of_math(row, of),
+        111 => of_enums(of.u, of.v),
         _ => of_remainders_and_overflow(row, of.u as i32, of.v as i32),
     }
 }
@@ -362,18 +362,11 @@ fn area(shape: Shape) -> Result<f32, u32> {
 }
 
 #[inline(always)]
-fn of_math(row: u32, Arguments { u, v, x, .. }: Arguments) -> u32 {
-    let [i, j] = [u as i32, v as i32];
+fn of_math(row: u32, Arguments { u, x, .. }: Arguments) -> u32 {
     match row {
-        90 => math::saturating_add(u, v),
-        91 => math::saturating_sub(u, v),
-        92 => math::saturating_add(i, j) as u32,
-        93 => math::saturating_sub(i, j) as u32,
-        94 => math::isqrt(u),
-        95 => math::multiply_high(u, v),
-        96 => muslin::half::half_value(u & 0xffff).to_bits(),
-        97 => math::ceil(x).to_bits(),
-        98 => math::is_finite(x) as u32,
+        90 => muslin::half::half_value(u & 0xffff).to_bits(),
+        91 => math::ceil(x).to_bits(),
+        92 => math::is_finite(x) as u32,
         _ => (x == f32::NEG_INFINITY) as u32,
     }
 }
@@ -382,22 +375,22 @@ fn of_math(row: u32, Arguments { u, v, x, .. }: Arguments) -> u32 {
 #[inline(always)]
 fn of_remainders_and_overflow(row: u32, i: i32, j: i32) -> u32 {
     let value = match row {
-        100 => i.wrapping_rem_euclid(j | 1),
-        101 => i % 3,
-        102 => i % -4,
-        103 => i % 768,
-        104 => (i >> 2) % 5,
-        105 => i.checked_add(j).unwrap_or(77),
-        106 => i.checked_sub(j).unwrap_or(77),
-        107 => i.checked_add(0).unwrap_or(77),
-        108 => i.checked_sub(0).unwrap_or(77),
-        109 => 0_i32.checked_add(j).unwrap_or(77),
-        110 => 0_i32.checked_sub(j).unwrap_or(77),
-        111 => i.checked_add(5).unwrap_or(77),
-        112 => i.checked_sub(i32::MIN).unwrap_or(77),
-        113 => i.wrapping_sub(j).checked_add(j).unwrap_or(77),
-        114 => i.overflowing_add(j).1 as i32,
-        115 => i.overflowing_sub(j).1 as i32,
+        94 => i.wrapping_rem_euclid(j | 1),
+        95 => i % 3,
+        96 => i % -4,
+        97 => i % 768,
+        98 => (i >> 2) % 5,
+        99 => i.checked_add(j).unwrap_or(77),
+        100 => i.checked_sub(j).unwrap_or(77),
+        101 => i.checked_add(0).unwrap_or(77),
+        102 => i.checked_sub(0).unwrap_or(77),
+        103 => 0_i32.checked_add(j).unwrap_or(77),
+        104 => 0_i32.checked_sub(j).unwrap_or(77),
+        105 => i.checked_add(5).unwrap_or(77),
+        106 => i.checked_sub(i32::MIN).unwrap_or(77),
+        107 => i.wrapping_sub(j).checked_add(j).unwrap_or(77),
+        108 => i.overflowing_add(j).1 as i32,
+        109 => i.overflowing_sub(j).1 as i32,
         _ => i.checked_add_unsigned(j as u32).is_none() as i32,
     };
     value as u32

@@ -64,7 +64,6 @@ vectors! { [x, y];
     "try_normalize": x.try_normalize().is_some() as u32 as f32,
     "as_ivec4": x.clamp(Vec4::splat(-1e6), Vec4::splat(1e6)).as_ivec4().x as f32,
     "math::round": math::round(x.x),
-    "math::round_even": math::round_even(x.x),
     "math::floor": math::floor(x.y),
     "math::ceil": math::ceil(x.z),
     "math::truncate": math::truncate(x.w),

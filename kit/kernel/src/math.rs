@@ -14,7 +14,6 @@ use glam::Vec3;
 
 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
 use crate::fused::{check_cast, check_logarithm};
-pub use crate::half::{pack_halves, unpack_halves};
 use crate::lane::Lane;
 
 /// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.

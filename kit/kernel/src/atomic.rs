@@ -4,11 +4,8 @@
 //! | --- | --- | --- |
 //! | `atomic_add(index, value)` | the sum, modulo 2^32 | does not depend on the order |
 //! | `atomic_min(index, value)`, `atomic_max(index, value)` | the smaller, the larger | does not depend on the order |
-//! | `atomic_and(index, value)`, `atomic_or(index, value)`, `atomic_xor(index, value)` | the bitwise result | does not depend on the order |
 //! | `atomic_exchange(index, value)` | `value` | |
-//! | `atomic_compare_exchange(index, expected, value)` | `value`, if it was `expected` | |
 //! | `atomic_load(index)` | unchanged | |
-//! | `atomic_store(index, value)` | `value`; returns nothing | |
 //!
 //! Where the table says so, the resulting element does not depend on the order of the invocations. The *returned*
 //! value always does. Use it as a ticket (for a free slot), and not as a number that is part of the result.
@@ -48,13 +45,8 @@ pub trait AtomicBuffer<T> {
     fn atomic_add(&mut self, index: u32, value: T) -> T;
     fn atomic_min(&mut self, index: u32, value: T) -> T;
     fn atomic_max(&mut self, index: u32, value: T) -> T;
-    fn atomic_and(&mut self, index: u32, value: T) -> T;
-    fn atomic_or(&mut self, index: u32, value: T) -> T;
-    fn atomic_xor(&mut self, index: u32, value: T) -> T;
     fn atomic_exchange(&mut self, index: u32, value: T) -> T;
-    fn atomic_compare_exchange(&mut self, index: u32, expected: T, value: T) -> T;
     fn atomic_load(&mut self, index: u32) -> T;
-    fn atomic_store(&mut self, index: u32, value: T);
 }
 
 /// The atomics of a GPU.
@@ -65,19 +57,7 @@ macro_rules! device_atomics {
             device_atomics!(method $element, atomic_add, atomic_i_add);
             device_atomics!(method $element, atomic_min, $min);
             device_atomics!(method $element, atomic_max, $max);
-            device_atomics!(method $element, atomic_and, atomic_and);
-            device_atomics!(method $element, atomic_or, atomic_or);
-            device_atomics!(method $element, atomic_xor, atomic_xor);
             device_atomics!(method $element, atomic_exchange, atomic_exchange);
-
-            #[inline(always)]
-            fn atomic_compare_exchange(&mut self, index: u32, expected: $element, value: $element) -> $element {
-                // SAFETY: the CPU run checks the index
-                unsafe {
-                    let at = self.index_unchecked_mut(index as usize);
-                    spirv_std::arch::atomic_compare_exchange::<_, SCOPE, NO_ORDER, NO_ORDER>(at, value, expected)
-                }
-            }
 
             #[inline(always)]
             fn atomic_load(&mut self, index: u32) -> $element {
@@ -85,15 +65,6 @@ macro_rules! device_atomics {
                 unsafe {
                     let at = self.index_unchecked_mut(index as usize);
                     spirv_std::arch::atomic_load::<_, SCOPE, NO_ORDER>(at)
-                }
-            }
-
-            #[inline(always)]
-            fn atomic_store(&mut self, index: u32, value: $element) {
-                // SAFETY: the CPU run checks the index
-                unsafe {
-                    let at = self.index_unchecked_mut(index as usize);
-                    spirv_std::arch::atomic_store::<_, SCOPE, NO_ORDER>(at, value);
                 }
             }
         }
@@ -127,22 +98,7 @@ macro_rules! host_atomics {
             host_atomics!(method $element, $atomic, $self => $view, atomic_add, fetch_add, "Adds `value` at `index`, modulo 2^32.");
             host_atomics!(method $element, $atomic, $self => $view, atomic_min, fetch_min, "Lowers what is at `index` to `value`.");
             host_atomics!(method $element, $atomic, $self => $view, atomic_max, fetch_max, "Raises what is at `index` to `value`.");
-            host_atomics!(method $element, $atomic, $self => $view, atomic_and, fetch_and, "Keeps the bits of `value` at `index`.");
-            host_atomics!(method $element, $atomic, $self => $view, atomic_or, fetch_or, "Sets the bits of `value` at `index`.");
-            host_atomics!(method $element, $atomic, $self => $view, atomic_xor, fetch_xor, "Flips the bits of `value` at `index`.");
             host_atomics!(method $element, $atomic, $self => $view, atomic_exchange, swap, "Stores `value` at `index`.");
-
-            /// Stores `value` at `index` if `expected` is there. Returns the old value. Panics if `index` is out of
-            /// range.
-            #[inline(always)]
-            #[track_caller]
-            pub fn atomic_compare_exchange(&$self, index: u32, expected: $element, value: $element) -> $element {
-                let order = Ordering::Relaxed;
-                let at = $view.address(index, Touch::Atomic);
-                // SAFETY: as in the others
-                let result = unsafe { <$atomic>::from_ptr(at) }.compare_exchange(expected, value, order, order);
-                result.unwrap_or_else(|found| found)
-            }
 
             /// The value at `index`. Panics if `index` is out of range.
             #[inline(always)]
@@ -150,14 +106,6 @@ macro_rules! host_atomics {
             pub fn atomic_load(&$self, index: u32) -> $element {
                 // SAFETY: as in the others
                 unsafe { <$atomic>::from_ptr($view.address(index, Touch::Atomic)) }.load(Ordering::Relaxed)
-            }
-
-            /// Stores `value` at `index`. Panics if `index` is out of range.
-            #[inline(always)]
-            #[track_caller]
-            pub fn atomic_store(&$self, index: u32, value: $element) {
-                // SAFETY: as in the others
-                unsafe { <$atomic>::from_ptr($view.address(index, Touch::Store)) }.store(value, Ordering::Relaxed);
             }
         }
     };

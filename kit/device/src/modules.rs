@@ -73,7 +73,7 @@ impl CompiledKernel {
     #[must_use]
     pub fn spirv_words(&self) -> Cow<'static, [u32]> {
         match bytemuck::try_cast_slice(self.spirv) {
-            Ok(words) if cfg!(target_endian = "little") => Cow::Borrowed(words),
+            Ok(words) => Cow::Borrowed(words),
             _ => {
                 let (words, _) = self.spirv.as_chunks();
                 Cow::Owned(words.iter().map(|word| u32::from_le_bytes(*word)).collect())

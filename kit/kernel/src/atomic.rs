@@ -216,9 +216,7 @@ pub fn add_wide(buffer: Write<impl SumWord>, index: u32, [low, high]: [u32; 2]) 
 pub fn add_wide_shared(buffer: Write<impl SumWord>, index: u32, [low, high]: [u32; 2]) {
     #[cfg(target_arch = "spirv")]
     SumWord::add(buffer, index, [low, high]);
-    #[cfg(all(not(target_arch = "spirv"), target_endian = "big"))]
-    add_halves(SumWord::words(buffer), index, [low, high]);
-    #[cfg(all(not(target_arch = "spirv"), target_endian = "little"))]
+    #[cfg(not(target_arch = "spirv"))]
     {
         let at = SumWord::words(buffer).wide_addresses([index], Touch::Atomic);
         // SAFETY: the address is in range and aligned, and kernels touch such sums only through atomics
@@ -228,9 +226,8 @@ pub fn add_wide_shared(buffer: Write<impl SumWord>, index: u32, [low, high]: [u3
 }
 
 /// Adds the words one after the other: who takes the low one past 2^32 carries.
-#[cfg(any(target_arch = "spirv", target_endian = "big"))]
+#[cfg(target_arch = "spirv")]
 #[inline(always)]
-#[cfg_attr(not(target_arch = "spirv"), track_caller)]
 fn add_halves(buffer: Write<u32>, index: u32, [low, high]: [u32; 2]) {
     let before = add(buffer, 2 * index, low);
     let carry = if before.wrapping_add(low) < low { 1 } else { 0 };
@@ -250,13 +247,8 @@ pub fn add_wide_lanes<const N: usize>(buffer: Write<u32>, index: [u32; N], value
     while i < N {
         // SAFETY: the address is in range and aligned, and kernels touch such sums only through atomics
         let at = unsafe { AtomicU64::from_ptr(first.add(index[i] as usize)) };
-        let sum = |words: u64| words.wrapping_add(value[i] as u64);
         let before = at.load(Ordering::Relaxed);
-        // the low word is first on every machine
-        #[cfg(target_endian = "little")]
-        at.store(sum(before), Ordering::Relaxed);
-        #[cfg(target_endian = "big")]
-        at.store(sum(before.rotate_left(32)).rotate_left(32), Ordering::Relaxed);
+        at.store(before.wrapping_add(value[i] as u64), Ordering::Relaxed);
         i += 1;
     }
 }
@@ -266,23 +258,6 @@ pub fn add_wide_lanes<const N: usize>(buffer: Write<u32>, index: [u32; N], value
 #[inline(always)]
 #[track_caller]
 pub fn add_two_wide_lanes<const N: usize, const M: usize>(
-    buffer: Write<u32>,
-    index: [[u32; N]; M],
-    values: [[[i64; 2]; N]; M],
-) {
-    #[cfg(target_endian = "big")]
-    for (index, values) in index.into_iter().zip(values) {
-        add_wide_lanes(buffer, index, values.map(|[first, _]| first));
-        add_wide_lanes(buffer, index.map(|index| index + 1), values.map(|[_, second]| second));
-    }
-    #[cfg(target_endian = "little")]
-    add_pairs(buffer, index, values);
-}
-
-#[cfg(all(not(target_arch = "spirv"), target_endian = "little"))]
-#[inline(always)]
-#[track_caller]
-fn add_pairs<const N: usize, const M: usize>(
     buffer: Write<u32>,
     index: [[u32; N]; M],
     values: [[[i64; 2]; N]; M],

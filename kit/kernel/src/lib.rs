@@ -46,6 +46,9 @@
 // the shader compiler cannot compile clippy's suggestions
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
+#[cfg(target_endian = "big")]
+compile_error!("words and 64-bit sums are read as GPUs store them, with the low byte first");
+
 // `#[kernel]` generates the path `::muslin`, also in this crate
 extern crate self as muslin;
 

@@ -346,7 +346,6 @@ impl Write<'_, u32> {
     /// Like [`Self::wide_addresses`], for the 64-bit integers at `index` and `index + 1`, of several lanes.
     #[inline(always)]
     #[track_caller]
-    #[cfg(target_endian = "little")]
     pub(crate) fn two_wide_addresses<const N: usize, const M: usize>(
         &self,
         index: [[u32; N]; M],
@@ -407,10 +406,7 @@ impl Read<'_, f32> {
             // SAFETY: checked above
             |i| unsafe { self.data.add(at[i] as usize).cast::<u64>().read_unaligned() },
         );
-        let half = |words: u64, half: u32| {
-            let half = if cfg!(target_endian = "big") { 1 - half } else { half };
-            f32::from_bits((words >> (32 * half)) as u32)
-        };
+        let half = |words: u64, half: u32| f32::from_bits((words >> (32 * half)) as u32);
         [
             core::array::from_fn(
                 #[inline(always)]

@@ -3,7 +3,6 @@
 use std::alloc::{self, Layout};
 use std::collections::VecDeque;
 use std::ops::Range;
-use std::panic::Location;
 use std::ptr::NonNull;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -182,16 +181,12 @@ pub struct Written {
 }
 
 /// A kernel that may have written a buffer.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Writer {
     pub kernel: &'static str,
     /// Its name for the buffer.
     pub name: &'static str,
-    pub ticket: Ticket,
 }
-
-/// Where the additional workgroup of a dispatch has changed an element of any buffer atomically: it may have taken what another workgroup should.
-pub type Ticket = Arc<OnceLock<&'static Location<'static>>>;
 
 /// Elements that nothing has written.
 pub struct Missing {
@@ -268,7 +263,7 @@ impl Written {
 
     /// The kernel that may have written last.
     pub fn writer(&self) -> Option<Writer> {
-        self.writer.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        *self.writer.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

@@ -1,12 +1,10 @@
 //! A dispatch: its workgroups, and on the CPU its bindings and the ways to run it.
 
-use std::sync::Arc;
-
 use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
 use muslin_kernel::memory::AccessMonitor;
 
 use crate::buffer::{Memory, RawBuffer};
-use crate::cpu_memory::{Ticket, Writer, Written};
+use crate::cpu_memory::{Writer, Written};
 use crate::races::{Elements, Races};
 
 /// A kernel and its bindings.
@@ -133,7 +131,6 @@ pub fn monitors<'a>(
     workgroups: Workgroups,
 ) -> Vec<Option<Monitor<'a>>> {
     let mut buffers = buffers.iter();
-    let ticket = Ticket::default();
     let monitor = |(binding_info, binding): (&BindingInfo, &CpuBinding<'_>)| {
         if binding_info.access == Access::Uniform {
             return None;
@@ -149,10 +146,10 @@ pub fn monitors<'a>(
         }
         if let Some(written) = written {
             let [kernel, name] = [info.name, binding_info.name];
-            written.set_writer(Writer { kernel, name, ticket: Arc::clone(&ticket) });
+            written.set_writer(Writer { kernel, name });
         }
         let len = binding.bytes / binding_info.element_bytes as usize;
-        Some(Monitor::Written(Races::new(info, len, workgroups, elements, Arc::clone(&ticket))))
+        Some(Monitor::Written(Races::new(info, len, workgroups, elements)))
     };
     info.bindings.iter().zip(bindings).map(monitor).collect()
 }

@@ -12,7 +12,7 @@ use muslin_kernel::memory::{AccessMonitor, Touch};
 use muslin_kernel::running::{self, unlinear};
 use muslin_kernel::{BindingInfo, KernelInfo};
 
-use crate::cpu_memory::{Ticket, Written};
+use crate::cpu_memory::Written;
 use crate::job::Workgroups;
 
 /// The written elements of a binding.
@@ -77,7 +77,6 @@ pub struct Races<'a> {
     elements: Vec<Touched>,
     /// The written elements, if parts of the buffer may be unwritten.
     written: Option<Elements<'a>>,
-    ticket: Ticket,
 }
 
 /// The invocations that have accessed an element in this dispatch, for each kind of access: none, or the first one,
@@ -121,7 +120,6 @@ impl<'a> Races<'a> {
         len: usize,
         workgroups: Workgroups,
         written: Option<Elements<'a>>,
-        ticket: Ticket,
     ) -> Self {
         Self {
             workgroups: workgroups.all.into(),
@@ -130,7 +128,6 @@ impl<'a> Races<'a> {
             layers: info.z_serial,
             elements: (0..len).map(|_| Touched::default()).collect(),
             written,
-            ticket,
         }
     }
 
@@ -260,10 +257,6 @@ impl AccessMonitor for Races<'_> {
         }
         if touch != Touch::Write && !self.is_written(index) {
             return Err(unwritten(does, index, name));
-        }
-        if is_atomic && place.is_additional {
-            // the first one is kept
-            let _ = self.ticket.set(at);
         }
         if let Some(written) = self.written.as_ref().filter(|_| touch != Touch::Read) {
             written.set(index, place.is_additional);

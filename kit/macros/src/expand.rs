@@ -237,7 +237,6 @@ fn info(kernel: &Kernel) -> TokenStream {
     let limit = limit(kernel);
     let work = work(kernel);
     let over = over(kernel);
-    let unordered = kernel.unordered.iter().map(ToString::to_string);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         #[::muslin::dependencies::linkme::distributed_slice(::muslin::kernel::KERNELS)]
@@ -260,7 +259,6 @@ fn info(kernel: &Kernel) -> TokenStream {
                 variant: #variant,
                 work: #work,
                 over: #over,
-                unordered: &[#(#unordered),*],
                 run: run(),
                 run_variant: #run_variant,
                 run_arithmetic: RUN_ARITHMETIC,

@@ -16,7 +16,6 @@ mod memory_model;
 mod module;
 mod not_numbers;
 mod rules;
-mod shared_bools;
 mod small_integers;
 mod validate;
 

@@ -9,7 +9,7 @@ use rspirv::spirv::{Capability, ExecutionMode, Op};
 
 use crate::{
     atomic_arguments, contraction, declarations, expand, loops, memory_model, not_numbers,
-    shared_bools, small_integers,
+    small_integers,
 };
 
 /// The module for drivers, with the size of its workgroups. With `fused`, they may regroup its arithmetic.
@@ -27,7 +27,6 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     declarations::drop_layouts(&mut module);
     expand::expand(&mut module);
     small_integers::widen(&mut module)?;
-    shared_bools::widen(&mut module);
     memory_model::lower(&mut module)?;
     loops::end_at_conditions(&mut module)?;
     atomic_arguments::copy(&mut module);

@@ -4,7 +4,7 @@ extern crate std;
 
 use core::slice;
 
-use bytemuck::{NoUninit, Pod};
+use bytemuck::Pod;
 use glam::UVec3;
 
 pub use crate::fused::{check_cast, check_usize, fused, is_far, regrouped};
@@ -102,7 +102,7 @@ pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
     let mut bytes = 0;
     let mut i = 0;
     while i < shared.len() {
-        // a GPU has words for `bool` and small integers
+        // a GPU has words for small integers
         let words = 4 * shared[i].len;
         bytes += if shared[i].bytes < words { words } else { shared[i].bytes };
         i += 1;
@@ -420,7 +420,7 @@ impl<'a> CpuBinding<'a> {
 
     /// # Safety
     /// The same as for [`Shared::from_raw`].
-    pub unsafe fn shared<T: NoUninit, const N: usize>(self) -> Shared<'a, T, N> {
+    pub unsafe fn shared<T: Pod, const N: usize>(self) -> Shared<'a, T, N> {
         debug_assert_eq!(self.bytes, size_of::<[T; N]>());
         // SAFETY: the caller's
         unsafe { Shared::from_raw(self.data.cast()) }.monitored(self.monitor)

@@ -33,7 +33,7 @@ use std::string::String;
 use std::vec::Vec;
 use std::{format, vec};
 
-use bytemuck::{NoUninit, Zeroable};
+use bytemuck::Pod;
 use corosensei::stack::DefaultStack;
 use corosensei::{Coroutine, Yielder};
 use glam::UVec3;
@@ -51,9 +51,6 @@ const STACK: usize = 64 << 10;
 
 /// Workgroup memory before a kernel writes it: as floats it is NaN, and as indices it is out of range.
 const UNWRITTEN: u128 = u128::MAX;
-
-/// The same of single bytes, which can be `bool`.
-const UNWRITTEN_BYTES: u128 = u128::from_ne_bytes([1; 16]);
 
 /// An invocation.
 type Body = Coroutine<(), Stop, (), DefaultStack>;
@@ -109,9 +106,6 @@ pub unsafe fn run_bound(
     let mut rest = memory.as_mut_slice();
     for (shared, monitor) in shared.iter().zip(&watches) {
         let (head, tail) = rest.split_at_mut(shared.bytes.div_ceil(16) as usize);
-        if shared.bytes == shared.len {
-            head.fill(UNWRITTEN_BYTES);
-        }
         bindings.push(CpuBinding {
             data: head.as_mut_ptr().cast(),
             bytes: shared.bytes as usize,
@@ -265,7 +259,7 @@ pub struct SharedMemory<T, const N: usize> {
     monitor: WorkgroupMemory,
 }
 
-impl<T: NoUninit + Zeroable, const N: usize> SharedMemory<T, N> {
+impl<T: Pod, const N: usize> SharedMemory<T, N> {
     /// Unwritten memory.
     #[must_use]
     pub fn new() -> Self {
@@ -283,7 +277,7 @@ impl<T: NoUninit + Zeroable, const N: usize> SharedMemory<T, N> {
     }
 }
 
-impl<T: NoUninit + Zeroable, const N: usize> Default for SharedMemory<T, N> {
+impl<T: Pod, const N: usize> Default for SharedMemory<T, N> {
     fn default() -> Self {
         Self::new()
     }

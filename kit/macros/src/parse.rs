@@ -337,6 +337,12 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
         let message = format!("the elements of `{name}` are {wrong}");
         return Err(Error::new(argument.ty.span(), message));
     }
+    if is_path(&element, "bool") {
+        let message = format!(
+            "the elements of `{name}` are `bool`, which GPUs lack in workgroup memory: use `u32`"
+        );
+        return Err(Error::new(argument.ty.span(), message));
+    }
     let is_fours =
         |ty| last_segment(ty).is_some_and(|segment| segment.ident.to_string().ends_with("Fours"));
     let device_element = match is_fours(&argument.ty) {

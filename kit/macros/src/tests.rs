@@ -52,7 +52,6 @@ fn a_slice_is_no_binding() {
 fn elements_have_one_layout() {
     let types = [
         (quote!(Vec3), "three `f32`, or `Vec4`"),
-        (quote!(bool), "`u32`"),
         (quote!(u8), "`Packed<u8>`, or `u32`"),
         (quote!(f64), "`f32`"),
     ];
@@ -63,6 +62,10 @@ fn elements_have_one_layout() {
         assert!(message.starts_with(&start) && message.ends_with(advice), "{message}");
         // workgroup memory is not shared with the host
         assert_eq!(refusal(quote!(), quote!(values: Shared<#ty, 64>), quote!()), "");
+    }
+    for ty in [quote!(Read<bool>), quote!(Shared<bool, 64>)] {
+        let message = refusal(quote!(), quote!(flags: #ty), quote!());
+        assert!(message.starts_with("the elements of `flags` are `bool`"), "{message}");
     }
 }
 

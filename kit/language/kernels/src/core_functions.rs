@@ -62,10 +62,10 @@ pub fn core_functions(
     x: Read<f32>,
     y: Read<f32>,
     output: Write<u32>,
-    is_third: Shared<bool, WORKGROUP>,
+    is_third: Shared<u32, WORKGROUP>,
 ) {
     let own = id.local.x;
-    is_third.write(own, own.is_multiple_of(3));
+    is_third.write(own, own.is_multiple_of(3) as u32);
     id.barrier();
     let index = id.index();
     if index >= params.count * ROWS {
@@ -73,7 +73,7 @@ pub fn core_functions(
     }
     let row = index / params.count;
     if row == 0 {
-        output.write(index, is_third.read(own ^ 1) as u32);
+        output.write(index, is_third.read(own ^ 1));
         return;
     }
     let at = index % params.count;

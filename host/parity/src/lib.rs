@@ -23,7 +23,6 @@ mod hash_grid_scale;
 mod loss;
 mod occupancy;
 mod pair;
-mod peak;
 mod pixels;
 mod pose_backward;
 pub mod project;
@@ -42,7 +41,9 @@ mod transmittance_backward;
 
 use muslin_check::Case;
 
-/// The case of every kernel: `case!` registers it.
+/// The case of every kernel, with the kit's own: `case!` registers it.
 pub fn cases() -> Vec<Case> {
-    muslin_check::cases(env!("CARGO_PKG_NAME"))
+    let mut cases = muslin_check::cases(env!("CARGO_PKG_NAME"));
+    cases.extend(muslin_check::cases("muslin-check"));
+    cases
 }

@@ -71,6 +71,7 @@ pub mod devices;
 pub mod inputs;
 pub mod measure;
 pub mod number;
+mod own;
 pub mod prelude;
 pub mod report;
 pub mod runner;

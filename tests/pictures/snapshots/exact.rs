@@ -1,8 +1,9 @@
 //! The equations in f64. A snapshot locks a value, and these show that it was right when it was locked.
 
+use organza::scene::Network;
 use organza::{Camera, Scene, Stages, TileBatch};
 use organza_parity::exact::composite::{self, Splat};
-use organza_parity::exact::dense::network;
+use organza_parity::exact::dense::{affine, relu};
 use organza_parity::exact::hash_grid::encode;
 use organza_parity::exact::numeric::{Number, dot};
 use organza_parity::exact::project::{self, Gaussian, Projected, View};
@@ -26,6 +27,20 @@ pub fn harmonics(scene: &Scene, camera: &Camera, gaussian: usize) -> Vec<f64> {
 pub fn color_features(scene: &Scene, gaussian: usize) -> Vec<f64> {
     let point = unit(wide(scene.gaussians.position[gaussian]), scene.config.aabb, false);
     encode(&scene.config.color_grid, &scene.color.grid, point)
+}
+
+/// A whole network: ReLU after every layer but the last.
+fn network(network: &Network, mut values: Vec<f64>) -> Vec<f64> {
+    let wide = |row: &[f32]| row.iter().copied().map(f64::from).collect::<Vec<_>>();
+    for (index, layer) in network.layers.iter().enumerate() {
+        let rows = layer.weight.chunks_exact(layer.inputs).zip(&layer.bias);
+        let is_hidden = index + 1 < network.layers.len();
+        values = rows
+            .map(|(row, &bias)| affine(&wide(row), f64::from(bias), &values))
+            .map(|x| if is_hidden { relu(x) } else { x })
+            .collect();
+    }
+    values
 }
 
 /// Eq. 1-3, from the harmonics and features of the stages.

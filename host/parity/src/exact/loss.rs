@@ -7,11 +7,6 @@ pub fn sums<N: Number>(d: [N; 3], dissimilarity: N, valid: N) -> [N; 4] {
     [N::sum(d.map(N::abs)), dissimilarity, N::sum(d.map(|d| d * d)), valid]
 }
 
-/// The loss from the sums over `valid` pixels: `(1 - w) |x - y| + w (1 - SSIM)`, the mean over their three channels.
-pub fn mean(absolute: f64, dissimilarity: f64, valid: f64, weight: f64) -> f64 {
-    ((1.0 - weight) * absolute + weight * dissimilarity) / (3.0 * valid)
-}
-
 /// The derivative of |d|: 0 at 0, and for denormals, which a GPU may flush to 0.
 pub fn sign(d: f64) -> f64 {
     if d.abs() < 2_f64.powi(-126) { 0.0 } else { d.signum() }

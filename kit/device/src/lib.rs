@@ -56,8 +56,6 @@
 //!
 //! # Elsewhere
 //!
-//! [`Device::from_wgpu`] runs kernels on a device of wgpu that the program has opened, on buffers that may be its own.
-//!
 //! [`Device::planner`] runs nothing. It records buffers and dispatches as a [`DevicePlan`], which something else can run:
 //! for example, a browser with WebGPU.
 //!
@@ -78,8 +76,6 @@ mod cpu_memory;
 mod device;
 #[cfg_attr(not(feature = "gpu"), path = "no_gpu.rs")]
 mod gpu;
-#[cfg(feature = "gpu")]
-mod interop;
 mod job;
 mod modules;
 mod options;
@@ -101,6 +97,3 @@ pub use muslin_manifest::{List, STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{BufferRange, DevicePlan, PlannedBuffer, PlannedCount, Step};
 pub use transfer::Pending;
-/// The version of wgpu whose devices and buffers [`Device::from_wgpu`] and [`Buffer::from_wgpu`] take.
-#[cfg(feature = "gpu")]
-pub use wgpu;

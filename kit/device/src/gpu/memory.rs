@@ -19,8 +19,6 @@ pub struct GpuMemory(Arc<Lent>);
 struct Lent {
     buffer: Numbered,
     pool: MemoryPool,
-    /// Whether it was made elsewhere, so that nobody else may get it.
-    is_foreign: bool,
 }
 
 impl GpuMemory {
@@ -47,9 +45,7 @@ impl Deref for GpuMemory {
 
 impl Drop for Lent {
     fn drop(&mut self) {
-        if !self.is_foreign {
-            self.pool.unused().returned.push(self.buffer.clone());
-        }
+        self.pool.unused().returned.push(self.buffer.clone());
     }
 }
 
@@ -87,23 +83,18 @@ impl MemoryPool {
         let (place, _) =
             fitting.min_by_key(|(_, ((number, buffer), _))| (buffer.size(), *number))?;
         let (buffer, _) = unused.free.swap_remove(place);
-        Some(self.hold(buffer, false))
+        Some(self.hold(buffer))
     }
 
-    fn hold(&self, buffer: Numbered, is_foreign: bool) -> GpuMemory {
-        GpuMemory(Arc::new(Lent { buffer, pool: self.clone(), is_foreign }))
+    fn hold(&self, buffer: Numbered) -> GpuMemory {
+        GpuMemory(Arc::new(Lent { buffer, pool: self.clone() }))
     }
 
     /// A new buffer that joins the pool when nobody has it anymore.
     pub fn lend(&self, buffer: wgpu::Buffer) -> GpuMemory {
         let mut unused = self.unused();
         unused.made += 1;
-        self.hold((unused.made, buffer), false)
-    }
-
-    /// A buffer that was made elsewhere, and never joins the pool.
-    pub fn adopt(&self, buffer: wgpu::Buffer) -> GpuMemory {
-        self.hold((0, buffer), true)
+        self.hold((unused.made, buffer))
     }
 
     /// Declares that all recorded commands are submitted.

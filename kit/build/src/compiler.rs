@@ -232,7 +232,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
         module::check(kernel, &point, &spirv).with_context(context)?;
         validate::check(&spirv).with_context(context)?;
         let wgsl = match project.wgsl && point.name == kernel.name {
-            true => validate::to_wgsl(&spirv).with_context(context)?,
+            true => Some(validate::to_wgsl(&spirv).with_context(context)?),
             false => None,
         };
         let entry = entry(kernel, &point, &spirv, wgsl.as_deref())?;

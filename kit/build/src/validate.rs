@@ -45,9 +45,8 @@ fn validate(spirv: &[u8]) -> Result<Result<(), String>> {
 }
 
 /// What a kernel can need, and an adapter may have.
-const OFFERED: Capabilities = Capabilities::SHADER_FLOAT16
-    .union(Capabilities::SHADER_INT64)
-    .union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS);
+const OFFERED: Capabilities =
+    Capabilities::SHADER_INT64.union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS);
 
 /// Reads a module.
 pub fn read(spirv: &[u8]) -> Result<Module> {
@@ -84,9 +83,9 @@ const CAUSES: [(&str, &str); 2] = [
     ),
 ];
 
-/// Translates a module to WGSL; `None` if it needs 16-bit floats.
+/// Translates a module to WGSL.
 #[cfg(feature = "wgsl")]
-pub fn to_wgsl(spirv: &[u8]) -> Result<Option<String>> {
+pub fn to_wgsl(spirv: &[u8]) -> Result<String> {
     use naga::back::wgsl::{WriterFlags, write_string};
 
     // The largest f32 as naga writes it. In decimal it is rounded up, so browsers refuse it
@@ -94,20 +93,16 @@ pub fn to_wgsl(spirv: &[u8]) -> Result<Option<String>> {
     const LARGEST: &str = "340282350000000000000000000000000000000f";
     const LARGEST_IN_HEX: &str = "0x1.fffffep+127f";
     let module = read(spirv)?;
-    let validate = |offered| {
-        Validator::new(ValidationFlags::all(), offered).validate(&module).map_err(Box::new)
-    };
-    let info = match validate(Capabilities::empty()) {
-        Ok(info) => info,
-        Err(_) if validate(OFFERED).is_ok() => return Ok(None),
-        Err(error) => bail!("the module is not for browsers: {:?}", error.into_inner()),
-    };
+    let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
+    let info = info.map_err(|error| {
+        anyhow::anyhow!("the module is not for browsers: {:?}", error.into_inner())
+    })?;
     let text = write_string(&module, &info, WriterFlags::empty())?;
-    Ok(Some(text.replace(LARGEST, LARGEST_IN_HEX)))
+    Ok(text.replace(LARGEST, LARGEST_IN_HEX))
 }
 
 /// Always fails, because the program was built without the feature `wgsl`.
 #[cfg(not(feature = "wgsl"))]
-pub fn to_wgsl(_: &[u8]) -> Result<Option<String>> {
+pub fn to_wgsl(_: &[u8]) -> Result<String> {
     bail!("this xtask was built without the feature `wgsl` of muslin-build")
 }

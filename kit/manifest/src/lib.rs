@@ -105,8 +105,7 @@ pub struct KernelEntry {
     pub instructions: u32,
     /// Number of loops.
     pub loops: u32,
-    /// The module in WGSL, for browsers; `None` if the project has none, or if WebGPU lacks a feature that the kernel
-    /// needs.
+    /// The module in WGSL, for browsers; `None` if the project has none, and of a variant.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wgsl: Option<Translation>,
     /// The interface between the kernel and the host.

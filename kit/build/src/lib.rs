@@ -26,7 +26,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 use clap::{Args, Parser};
-use muslin_manifest::{List, Manifest, set_failure, source_hash};
+use muslin_manifest::{set_failure, source_hash};
 
 use compiler::{Compiler, compile, isolate};
 
@@ -84,8 +84,6 @@ impl Project {
 enum Task {
     /// Compile the kernels to SPIR-V
     Kernels(Options),
-    /// List the kernels: their bindings, workgroups, code and loops
-    List,
     /// Compare each kernel on every device with the CPU and with its equations
     Parity(More),
     /// Measure each kernel, beside what the device could compute and read
@@ -124,7 +122,6 @@ macro_rules! xtask {
 pub fn main(project: &Project) -> ExitCode {
     let result = match Task::parse() {
         Task::Kernels(options) => run(project, options),
-        Task::List => list(project),
         Task::Parity(options) => cargo(project, project.parity, &options.more),
         Task::Bench(options) => cargo(project, project.bench, &options.more),
     };
@@ -143,18 +140,6 @@ fn cargo(project: &Project, arguments: &str, more: &[String]) -> Result<()> {
     cargo.current_dir(&project.root).args(arguments.split_whitespace()).args(more);
     let status = cargo.status().context("cannot run cargo")?;
     ensure!(status.success(), "`cargo {arguments}` failed: {status}");
-    Ok(())
-}
-
-/// Lists the kernels, with the modules that are compiled.
-fn list(project: &Project) -> Result<()> {
-    let manifest = Manifest::load(&project.root.join(&project.kernels));
-    let manifest = manifest.context("the kernels are not compiled: run `cargo xtask kernels`")?;
-    let list = List::new(|_, point| {
-        let entry = manifest.find(point.name);
-        entry.with_context(|| format!("{}: run `cargo xtask kernels`", point.name))
-    })?;
-    print!("{list}");
     Ok(())
 }
 

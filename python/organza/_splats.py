@@ -86,7 +86,7 @@ def import_splats(
     background: str | Sequence[float] = "black",
     renderer: Renderer | None = None,
 ) -> Imported:
-    """Makes a scene of a file of 3D Gaussian Splatting: ".ply", ".compressed.ply", ".spz", ".sog", ".glb" or ".splat".
+    """Makes a scene of a file of 3D Gaussian Splatting: ".ply", ".spz", ".sog", ".glb" or ".splat".
 
     Such a file has no networks. So the Gaussians are rendered as a viewer that sorts, and the scene is trained on these images for
     `steps`, 1 to 10,000,000. `cameras` are best those that the Gaussians were trained with (`dataset.cameras`); every eighth is only

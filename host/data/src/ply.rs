@@ -18,6 +18,7 @@ use organza_core::memory;
 
 /// Longest header and longest line of text, in bytes. The header of a scan with all its comments has a few kilobytes.
 const MAX_LINE: u64 = 1 << 20;
+const VERTEX: &str = "vertex";
 const POSITION: [&str; 3] = ["x", "y", "z"];
 const COLOR: [&str; 3] = ["red", "green", "blue"];
 
@@ -33,16 +34,13 @@ pub(super) fn read(path: &Path) -> Result<Vec<Point>> {
 
 /// [`read`] from a reader of `length` bytes. Errors name `path`.
 pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<Vec<Point>> {
-    let mut file = Ply::open(source, length, path)?;
-    points(&file.element("vertex", &POSITION)?, path)
+    points(&Ply::open(source, length, path)?.vertices(&POSITION)?, path)
 }
 
-/// A PLY file of `length` bytes, after its header. Its elements follow one after the other.
+/// A PLY file after its header.
 pub struct Ply<'a, R: Read> {
     reader: Reader<BufReader<Limited<R>>>,
     header: Header,
-    /// Number of elements that have been read.
-    passed: usize,
     path: &'a Path,
 }
 
@@ -61,7 +59,7 @@ impl<'a, R: Read> Ply<'a, R> {
         limit.set((header.encoding == Encoding::Ascii).then_some(Limit::Line));
         since.set(0);
         check(&header, length, path)?;
-        Ok(Self { reader, header, passed: 0, path })
+        Ok(Self { reader, header, path })
     }
 
     /// The comments in the header, without spaces before them.
@@ -69,28 +67,25 @@ impl<'a, R: Read> Ply<'a, R> {
         &self.header.comments
     }
 
-    /// The names of an element's properties; none without that element.
-    pub fn properties(&self, name: &str) -> impl Iterator<Item = &str> {
-        let element = self.header.elements.get(name);
+    /// The names of the vertices' properties; none without vertices.
+    pub fn properties(&self) -> impl Iterator<Item = &str> {
+        let element = self.header.elements.get(VERTEX);
         element.into_iter().flat_map(|element| element.properties.keys().map(String::as_str))
     }
 
-    /// Reads all of an element, which must have the `needed` properties. Elements before it are skipped; a call for one of
-    /// them, or for this one again, is an error.
+    /// Reads all vertices, which must have the `needed` properties.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a file without the element or its properties, and for a truncated one;
+    /// [`Error::Invalid`] for a file without vertices or such properties, and for a truncated one;
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-    pub fn element<V: PropertyAccess>(&mut self, name: &str, needed: &[&str]) -> Result<Vec<V>> {
+    pub fn vertices<V: PropertyAccess>(mut self, needed: &[&str]) -> Result<Vec<V>> {
         let path = self.path;
         let broken = |error: ParseError| broken(path, &error);
-        let place = self.header.elements.keys().position(|found| found == name);
-        let Some(place) = place.filter(|&place| place >= self.passed) else {
-            let hint = if name == "vertex" { "; is it a point cloud?" } else { "" };
-            return invalid(path, format!("the PLY file has no `{name}` element{hint}"));
+        let Some(place) = self.header.elements.keys().position(|found| found == VERTEX) else {
+            return invalid(path, "the PLY file has no `vertex` element; is it a point cloud?");
         };
-        let passed = self.header.elements.values().take(place).skip(self.passed);
-        let element = &self.header.elements[name];
+        let passed = self.header.elements.values().take(place);
+        let element = &self.header.elements[VERTEX];
         check_properties(element, needed, path)?;
         // the elements as read, and the result
         let bytes = 2 * size_of::<V>() as u64;
@@ -100,7 +95,6 @@ impl<'a, R: Read> Ply<'a, R> {
             let read = parser.read_payload_for_element(&mut self.reader, skipped, &self.header);
             read.map_err(broken)?;
         }
-        self.passed = place + 1;
         let parser = Parser::<V>::new();
         parser.read_payload_for_element(&mut self.reader, element, &self.header).map_err(broken)
     }
@@ -176,16 +170,14 @@ fn check(header: &Header, length: u64, path: &Path) -> Result<()> {
 fn check_properties(element: &ElementDef, needed: &[&str], path: &Path) -> Result<()> {
     let has = |key: &str| element.properties.contains_key(key);
     let Some(key) = needed.iter().find(|key| !has(key)) else { return Ok(()) };
-    let name = match element.name.as_str() {
-        "vertex" => "vertices",
-        name => &format!("`{name}` elements"),
-    };
     let hint = match has("packed_position") {
-        true => "; it is packed, as SuperSplat does: write it unpacked",
+        true => {
+            "; it is compressed: PlayCanvas' splat-transform and SuperSplat write it as .ply or .sog"
+        }
         false => "",
     };
     let needed = needed.join(", ");
-    invalid(path, format!("{name} have no property `{key}`, expected {needed}{hint}"))
+    invalid(path, format!("vertices have no property `{key}`, expected {needed}{hint}"))
 }
 
 /// Least number of bytes of one element in a file.

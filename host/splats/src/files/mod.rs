@@ -4,7 +4,6 @@ mod clusters;
 mod dot_splat;
 mod gltf;
 mod mesh;
-mod packed_ply;
 mod ply;
 mod sog;
 mod spz;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
-use super::{PLACEMENT, Splat, SplatFile, packed_ply, turned};
+use super::{PLACEMENT, Splat, SplatFile, turned};
 use crate::harmonics::HARMONICS;
 use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
@@ -14,7 +14,7 @@ use organza_data::ply::{Ply, number};
 
 /// Number of coefficients `f_rest_*`: all but the first harmonic, of red, then of green, then of blue.
 const REST: usize = 3 * (HARMONICS - 1);
-/// Numbered properties: the name, their number, and their index in a [`Row`].
+/// Numbered properties: the name, their number, and their index in a [`Vertex`]'s row.
 const NUMBERED: [(&str, usize, usize); 4] =
     [("f_dc_", 3, 0), ("f_rest_", REST, 3), ("scale_", 3, OPACITY + 1), ("rot_", 4, OPACITY + 4)];
 const OPACITY: usize = 3 + REST;
@@ -40,7 +40,7 @@ fn names() -> impl Iterator<Item = String> {
 }
 
 /// The placement in the comments of [`write`].
-pub fn said<R: Read>(file: &Ply<'_, R>, path: &Path) -> Result<Option<Placement>> {
+fn said<R: Read>(file: &Ply<'_, R>, path: &Path) -> Result<Option<Placement>> {
     let json =
         |comment: &String| comment.strip_prefix(PLACEMENT)?.strip_prefix(' ').map(str::to_owned);
     let json = file.comments().iter().find_map(json);
@@ -69,56 +69,32 @@ pub fn write(splats: &[Splat], placement: &Placement, file: &mut dyn Write) -> i
     Ok(())
 }
 
-/// The numbers of an element whose properties have known names.
-macro_rules! row {
-    ($name:ident, $value:ty, $count:expr, $place:expr) => {
-        struct $name([$value; $count]);
-
-        impl PropertyAccess for $name {
-            fn new() -> Self {
-                Self([Default::default(); $count])
-            }
-
-            fn set_property(&mut self, key: &str, property: Property) -> PropertyAccessResult {
-                let place: Option<usize> = $place(key);
-                if let Some(place) = place.filter(|place| *place < $count) {
-                    let Some(value) = number(&property) else {
-                        return PropertyAccessResult::UnsupportedType;
-                    };
-                    self.0[place] = value as $value;
-                }
-                PropertyAccessResult::Set
-            }
-        }
-    };
-}
-pub(super) use row;
-
-// The values of a vertex: f_dc, f_rest, opacity, scale, rot.
-row!(Row, f32, OPACITY + 8, place);
-
 /// A vertex. A place on the Earth has more digits than an f32.
 struct Vertex {
     position: [f64; 3],
-    row: Row,
+    /// f_dc, f_rest, opacity, scale, rot.
+    row: [f32; OPACITY + 8],
 }
 
 impl PropertyAccess for Vertex {
     fn new() -> Self {
-        Self { position: [0.0; 3], row: Row::new() }
+        Self { position: [0.0; 3], row: [0.0; OPACITY + 8] }
     }
 
     fn set_property(&mut self, key: &str, property: Property) -> PropertyAccessResult {
-        let Some(axis) = ["x", "y", "z"].iter().position(|name| *name == key) else {
-            return self.row.set_property(key, property);
-        };
+        let axis = ["x", "y", "z"].iter().position(|name| *name == key);
+        let place = place(key);
+        if axis.is_none() && place.is_none() {
+            return PropertyAccessResult::Set;
+        }
         let Some(value) = number(&property) else { return PropertyAccessResult::UnsupportedType };
-        self.position[axis] = value;
+        axis.into_iter().for_each(|axis| self.position[axis] = value);
+        place.into_iter().for_each(|place| self.row[place] = value as f32);
         PropertyAccessResult::Set
     }
 }
 
-/// The index of a property in a [`Row`].
+/// The index of a property in a [`Vertex`]'s row.
 fn place(key: &str) -> Option<usize> {
     match key {
         "opacity" => Some(OPACITY),
@@ -130,12 +106,10 @@ fn place(key: &str) -> Option<usize> {
 }
 
 pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
-    let mut file = Ply::open(source, length, path)?;
-    if file.properties("vertex").any(|name| name == "packed_position") {
-        return packed_ply::read(file, path);
-    }
-    let rest = file.properties("vertex").filter(|name| name.starts_with("f_rest_")).count();
-    let vertices: Vec<Vertex> = file.element("vertex", &NEEDED)?;
+    let file = Ply::open(source, length, path)?;
+    let rest = file.properties().filter(|name| name.starts_with("f_rest_")).count();
+    let said = said(&file, path)?;
+    let vertices: Vec<Vertex> = file.vertices(&NEEDED)?;
     if ![0, 9, 24, 45].contains(&rest) {
         return invalid(
             path,
@@ -145,7 +119,7 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
         );
     }
     let others = rest / 3;
-    let splat = |Vertex { row: Row(row), .. }: &Vertex| {
+    let splat = |Vertex { row, .. }: &Vertex| {
         let values = |first: usize| std::array::from_fn(|at| row[first + at]);
         Splat {
             position: [0.0; 3],
@@ -162,7 +136,6 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     };
     let splats = vertices.iter().map(splat).collect();
     let positions: Vec<_> = vertices.iter().map(|vertex| vertex.position).collect();
-    let said = said(&file, path)?;
     Ok(SplatFile::new(path, "PLY", splats).placed(said).with_positions(&positions))
 }
 
@@ -244,7 +217,7 @@ mod tests {
         assert_refused(with("1 2 3", "1 1e39 3").as_bytes(), &["Gaussian 0", "inf"]);
         assert_refused(with("vertex 1", "vertex 0").as_bytes(), &["no Gaussians"]);
         let packed = with("property float x", "property float packed_position");
-        assert_refused(packed.as_bytes(), &["no `chunk` element"]);
+        assert_refused(packed.as_bytes(), &["no property `x`", "splat-transform"]);
         assert_refused(b"solid cube", &["no file of Gaussians"]);
     }
 }

@@ -199,11 +199,6 @@ fn every_command_takes_a_run_for_a_scene() {
         seen["color"],
         explain("run/checkpoint.safetensors data --downscale 2 --view 1")["color"]
     );
-    let sums = |words: &str| json(&format!("explain run --summary --json {words}"));
-    assert_eq!(sums("--views 1")["views"][0], sums("")["views"][1]);
-    assert_eq!(sums("--views 0-1"), sums(""));
-    let facts = ["a pixel is of one view", "--summary"];
-    sandbox.run("explain run --views 0,1 --pixel 1,1").assert_refused(&facts);
     let bench = json("bench run data tiles.json --forward --repeat 1 --backend cpu --json");
     assert_eq!(bench["gaussians"], run["gaussians"]);
 }

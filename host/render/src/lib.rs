@@ -38,7 +38,6 @@ pub use pass::tape::Tape;
 pub use queries::contribution::Contributions;
 pub use queries::eye::{EyeCache, EyeOptions, FieldWork};
 pub use queries::frame::{Frame, FrameShape};
-pub use queries::leakage::Leakage;
 #[doc(hidden)]
 pub use queries::pixel::Stages;
 pub use queries::pixel::{Contribution, Inspection, Trace};

@@ -3,32 +3,26 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use organza::render::{Contribution, Leakage};
-use organza::{Camera, DeviceOptions, DeviceScene, Inspection, Renderer, Result};
+use organza::render::Contribution;
+use organza::{Camera, DeviceOptions, Inspection, Renderer, Result};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::refuse;
 use super::summary::{Table, count};
-use super::views::{ViewList, warn_distorted};
+use super::views::{no_view, warn_distorted};
 
 const EXAMPLES: &str = "\
 Examples:
   organza explain scene.safetensors cameras.json --view 0 --pixel 192,192
   organza explain scene.safetensors cameras.json --view 3 --pixel 10,20 --all --json
   organza explain run --split held-out --view 0 --pixel 64,64
-  organza explain run --split held-out --summary
-  organza explain run --summary --views 0-3
 
 The columns follow docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
-sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.
+sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.";
 
---summary looks at up to 1024 evenly spaced pixels of each view. The surface of a pixel is the median depth of its \
-weights: Gaussians with half of S are nearer. The table shows the shares of the weight that are more than 12% deeper \
-(behind) or nearer (in front) than the surface, and the share of the pixels that show the background: S < 0.98.";
-
-/// Break one pixel down, Gaussian by Gaussian, or sum up views; always computed on the CPU
+/// Break one pixel down, Gaussian by Gaussian; always computed on the CPU
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -36,16 +30,12 @@ pub struct Args {
     scene: PathBuf,
     /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
     cameras: Option<PathBuf>,
-    /// The view of the pixel, or the views to sum up: a list such as 0,8 or 0-3 [default: 0; all with --summary]
-    #[arg(long, value_name = "V", visible_alias = "views")]
-    view: Option<ViewList>,
+    /// The view of the pixel
+    #[arg(long, value_name = "V", default_value_t = 0)]
+    view: usize,
     /// Column and row of the pixel, from the upper left
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
-    #[arg(required_unless_present = "summary")]
-    pixel: Option<[i32; 2]>,
-    /// Measure how much of the views' weight is not at the surface, instead of explaining a pixel
-    #[arg(long, conflicts_with_all = ["pixel", "all"])]
-    summary: bool,
+    pixel: [i32; 2],
     /// Also show Gaussians whose falloff is zero at the pixel
     #[arg(long)]
     all: bool,
@@ -70,77 +60,49 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let usage = "organza explain SCENE CAMERAS";
     let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
     let Cameras { list: cameras, origin, .. } = cameras;
-    let views = match &args.view {
-        Some(views) => views.resolve(cameras.len(), &origin)?,
-        None if args.summary => (0..cameras.len()).collect(),
-        None => vec![0],
-    };
-    if args.pixel.is_some() && views.len() > 1 {
-        return refuse("a pixel is of one view; several are for `--summary`");
-    }
-    let at = args.pixel.map(|pixel| Place { view: views[0], pixel });
-    if let Some(at) = at {
-        at.check(&cameras[at.view])?;
-    }
-    warn_distorted(console, &cameras, &views);
+    let Args { view, pixel, .. } = *args;
+    let Some(camera) = cameras.get(view) else { return no_view(view, cameras.len(), &origin) };
+    check_pixel(pixel, view, camera)?;
+    warn_distorted(console, &cameras, &[view]);
     let scene = source.load(console)?;
     let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
     let scene = renderer.upload(&scene)?;
-    let Some(at) = at else {
-        return summarize(&renderer, &scene, &cameras, &views, args.json, console);
-    };
-    let mut inspection = renderer.inspect(&scene, &cameras, at.view, at.pixel)?;
+    let mut inspection = renderer.inspect(&scene, &cameras, view, pixel)?;
     let reaching = inspection.contributions.len();
     if !args.all {
         inspection.contributions.retain(|contribution| contribution.falloff > 0.0);
     }
     let hidden = reaching - inspection.contributions.len();
     if args.json {
-        let Place { view, pixel } = at;
         let gaussians = &inspection.contributions;
         let inspection = &inspection;
         return print_json(&Explanation { view, pixel, gaussians, hidden, inspection });
     }
-    print(&text(at, &cameras[at.view], &inspection, hidden))
+    print(&(title(pixel, view, camera) + &text(&inspection, hidden)))
 }
 
-/// A pixel of a view.
-#[derive(Clone, Copy, Debug)]
-struct Place {
-    view: usize,
-    pixel: [i32; 2],
-}
-
-impl Place {
-    /// Fails if the pixel is not in the view's image.
-    fn check(self, camera: &Camera) -> Result<()> {
-        let [x, y] = self.pixel;
-        let width = camera.width;
-        let height = camera.height;
-        if is_within(x, width) && is_within(y, height) {
-            return Ok(());
-        }
-        refuse(format!(
-            "pixel {x},{y} is outside view {}, which has {width} x {height} pixels: columns 0 \
-             to {}, rows 0 to {}",
-            self.view,
-            width - 1,
-            height - 1
-        ))
+/// Fails if the pixel is not in the view's image.
+fn check_pixel(pixel @ [x, y]: [i32; 2], view: usize, camera: &Camera) -> Result<()> {
+    let size @ [width, height] = [camera.width, camera.height];
+    let is_within = |(at, side): (i32, u32)| (0..i64::from(side)).contains(&i64::from(at));
+    if pixel.into_iter().zip(size).all(is_within) {
+        return Ok(());
     }
+    refuse(format!(
+        "pixel {x},{y} is outside view {view}, which has {width} x {height} pixels: columns 0 to {}, rows 0 to {}",
+        width - 1,
+        height - 1
+    ))
 }
 
-fn is_within(at: i32, side: u32) -> bool {
-    (0..i64::from(side)).contains(&i64::from(at))
+fn title([x, y]: [i32; 2], view: usize, camera: &Camera) -> String {
+    let Camera { width, height, file_path, .. } = camera;
+    let image = file_path.as_ref().map_or(String::new(), |path| format!("{path}, "));
+    format!("pixel {x},{y} of view {view} ({image}{width} x {height})\n\n")
 }
 
-fn text(at: Place, camera: &Camera, inspection: &Inspection, hidden: usize) -> String {
-    let [x, y] = at.pixel;
-    let image = camera.file_path.as_ref().map_or(String::new(), |path| format!("{path}, "));
-    let mut text = format!(
-        "pixel {x},{y} of view {} ({image}{} x {})\n\n",
-        at.view, camera.width, camera.height
-    );
+fn text(inspection: &Inspection, hidden: usize) -> String {
+    let mut text = String::new();
     if !inspection.contributions.is_empty() {
         text += &table(&inspection.contributions).to_string();
         text.push('\n');
@@ -217,69 +179,4 @@ struct Explanation<'a> {
     hidden: usize,
     #[serde(flatten)]
     inspection: &'a Inspection,
-}
-
-/// Number of pixels per view that are measured.
-const PIXELS: u32 = 1024;
-
-/// The output of `--json`.
-#[derive(Debug, Serialize)]
-struct Summary {
-    views: Vec<ViewSummary>,
-    mean: Leakage,
-}
-
-#[derive(Debug, Serialize)]
-struct ViewSummary {
-    view: usize,
-    name: Option<String>,
-    #[serde(flatten)]
-    leakage: Leakage,
-}
-
-/// Measures and prints the views with these indices.
-fn summarize(
-    renderer: &Renderer,
-    scene: &DeviceScene,
-    cameras: &[Camera],
-    views: &[usize],
-    json: bool,
-    console: Console,
-) -> Result<()> {
-    let bar = console.progress("summing up", views.len(), "views");
-    let measure = |(done, &view): (usize, &usize)| {
-        let leakage = renderer.leakage(scene, cameras, view, PIXELS)?;
-        bar.set_of(done + 1, views.len());
-        Ok(ViewSummary { view, name: cameras[view].file_path.clone(), leakage })
-    };
-    let views = views.iter().enumerate().map(measure).collect::<Result<Vec<_>>>()?;
-    drop(bar);
-    let parts: Vec<_> = views.iter().map(|view| view.leakage).collect();
-    let summary = Summary { views, mean: Leakage::mean(&parts) };
-    if json { print_json(&summary) } else { print(&summary_text(&summary)) }
-}
-
-fn summary_text(summary: &Summary) -> String {
-    let titles = ["view", "image", "pixels", "Gaussians a pixel", "behind", "in front", "S < 0.98"];
-    let mut table = Table::new(2, titles);
-    let mut row = |view: &str, name: &str, leakage: &Leakage| {
-        table.row([
-            view.to_owned(),
-            name.to_owned(),
-            leakage.pixels.to_string(),
-            format!("{:.1}", leakage.gaussians),
-            percent(leakage.behind),
-            percent(leakage.in_front),
-            percent(leakage.open),
-        ]);
-    };
-    for view in &summary.views {
-        row(&view.view.to_string(), view.name.as_deref().unwrap_or(""), &view.leakage);
-    }
-    row("mean", "", &summary.mean);
-    table.to_string()
-}
-
-fn percent(share: f64) -> String {
-    format!("{:.1}%", 100.0 * share)
 }

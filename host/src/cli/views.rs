@@ -116,7 +116,7 @@ impl ViewTask {
 }
 
 /// The error for a view that does not exist.
-fn no_view<T>(view: usize, count: usize, cameras: &Path) -> Result<T> {
+pub fn no_view<T>(view: usize, count: usize, cameras: &Path) -> Result<T> {
     let cameras = cameras.display();
     let last = count.saturating_sub(1);
     refuse(format!("there is no view {view}: {cameras} has views 0 to {last}"))

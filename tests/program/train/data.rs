@@ -35,7 +35,7 @@ fn every_command_notices_another_order_of_frames() {
         "edit run -o new.safetensors --keep-largest --backend cpu",
         "render run -o new --backend cpu",
         "film run -o new.png --backend cpu",
-        "explain run --summary",
+        "explain run --pixel 1,1",
         "export run -o new.ply --backend cpu",
         "export-web run -o new --backend cpu",
         "view run --backend cpu",

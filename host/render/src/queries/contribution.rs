@@ -9,7 +9,6 @@ use std::slice::from_ref;
 use organza_shaders::splat::VECTORS;
 use rayon::prelude::*;
 
-use super::leakage::{OPEN, SURFACE};
 use super::pixel_gaussians::{PartSplats, PixelGaussian, depths, surface};
 use crate::pass::part::Part;
 use crate::stages::composite::TileGradient;
@@ -18,6 +17,10 @@ use crate::{DeviceScene, Renderer};
 use organza_core::image::{TILE_SIDE, bands};
 use organza_core::{Camera, Result, Tile};
 
+/// Weight farther from the median depth than this part of it is not at the surface.
+const SURFACE: f64 = 0.12;
+/// A pixel of less weight shows the background.
+const OPEN: f64 = 0.98;
 /// Surfaces are found at every fourth pixel of every fourth row.
 const STRIDE: i32 = 4;
 

@@ -3,7 +3,6 @@
 pub mod contribution;
 pub mod eye;
 pub mod frame;
-pub mod leakage;
 pub mod pixel;
 pub mod pixel_gaussians;
 pub mod surface;

@@ -90,3 +90,29 @@ fn failure_keeps_the_old_output() {
     sandbox.write("scene.safetensors", "");
     sandbox.assert_refuses(&format!("{RENDER} -o new/er/est"), &["too few"]);
 }
+
+#[test]
+fn views_of_the_same_cameras_add_up() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox.run(&format!("{RENDER} -o out --views 0 --channels depth")).assert_ok();
+    sandbox.run(&format!("{RENDER} -o out --views 1")).assert_ok();
+    for name in ["0000.png", "0000.depth.png", "0001.png"] {
+        assert!(sandbox.path("out").join(name).exists(), "{name}");
+    }
+}
+
+#[test]
+fn other_files_are_refused_unless_they_may_stay() {
+    let sandbox = Sandbox::new("tiny");
+    let film = "film scene.safetensors cameras.json --backend cpu -o out --frames 2";
+    for name in ["out/0000.png", "out/mine.png"] {
+        sandbox.write(name, "mine");
+    }
+    for words in [&format!("{RENDER} -o out"), film] {
+        sandbox.assert_refuses(words, &["out has other files, such as ", "--overwrite"]);
+        sandbox.run(&format!("{words} --overwrite")).assert_ok();
+        assert_eq!(sandbox.read("out/mine.png"), b"mine");
+    }
+    let image = sandbox.read("out/0000.png");
+    assert!(image.starts_with(b"\x89PNG"), "the image is not replaced");
+}

@@ -23,7 +23,6 @@ mod outputs;
 mod results;
 mod sandbox;
 mod splats;
-mod tasks;
 mod together;
 mod train;
 mod view;

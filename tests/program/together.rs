@@ -26,10 +26,6 @@ fn a_list_a_place_and_a_film_give_the_same_images() {
     let [both, listed, alone] = ["a", "b", "alone"].map(|folder| sandbox.images(folder));
     assert_eq!(both, listed);
     assert!(both != alone, "the second scene has no effect");
-    // other places are other images
-    sandbox.run(&format!("{RENDER} -o a --missing")).assert_ok().says(&["nothing to render"]);
-    sandbox.write("place.json", PLACE.replace("40", "50"));
-    sandbox.assert_refuses(&format!("{RENDER} -o a --missing"), &["was not made of this scene"]);
     sandbox
         .run("film lists/two.toml cameras.json -o film --frames 2 --backend cpu --channel depth")
         .assert_ok();

@@ -64,7 +64,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         return write_photographs(args, console);
     }
     let mut folder = Folder::make(&args.output)?;
-    folder.lock(false)?;
+    folder.lock()?;
     let cameras =
         demo::turntable(usize::from(args.views.unwrap_or(VIEWS)), args.size.unwrap_or(SIDE));
     refuse_foreign(&folder, &cameras, &args.output)?;
@@ -240,7 +240,7 @@ struct Taken {
 /// Writes photographs of a still life, with their true cameras.
 fn write_photographs(args: &Args, console: Console) -> Result<()> {
     let mut folder = Folder::make(&args.output)?;
-    folder.lock(false)?;
+    folder.lock()?;
     let path = args.output.display();
     if let Some(name) = [IMAGES, CAMERAS].into_iter().find(|name| folder.join(name).exists()) {
         return refuse(format!("{path} has {name} already; choose another folder"));

@@ -128,10 +128,8 @@ impl Folder {
     }
 
     /// Locks the folder until this value is dropped, so that no other call writes files into it.
-    /// With `shared`, calls that also share the lock may write at the same time.
-    pub fn lock(&mut self, shared: bool) -> Result<()> {
-        let lock = if shared { FolderLock::shared } else { FolderLock::exclusive };
-        match lock(&self.path)? {
+    pub fn lock(&mut self) -> Result<()> {
+        match FolderLock::take(&self.path)? {
             Ok(lock) => self.lock = Some(lock),
             Err(holder) => {
                 let path = self.path.display();
@@ -180,10 +178,10 @@ impl Drop for Folder {
     }
 }
 
-/// The file that says what a folder's images were made of.
+/// The file that says what the frames in a folder were made of.
 const MARK: &str = ".organza-images";
 
-/// Identifies what images are made of: the scene's file, the cameras, the options, and the program.
+/// Identifies what frames are made of: the scene's file, the cameras, the options, and the program.
 pub fn made_of(scene: &Path, how: &dyn Debug) -> Result<String> {
     let mut hash = Sha256::new();
     File::open(scene)
@@ -191,67 +189,6 @@ pub fn made_of(scene: &Path, how: &dyn Debug) -> Result<String> {
         .map_err(|error| Error::read(scene, error))?;
     hash.update(format!("{how:?} {}", env!("CARGO_PKG_VERSION")));
     Ok(hex(hash))
-}
-
-/// Images in a folder. They stay beside new ones only if they were made of the same inputs.
-pub struct KeptImages {
-    images: Vec<PathBuf>,
-    mark: PathBuf,
-    made_of: String,
-    /// Whether no image of anything else will be left in the folder.
-    is_whole: bool,
-}
-
-impl KeptImages {
-    /// Looks at what the images in a folder were made of. Some will be `replaced`. Fails if others are `needed` and were made of
-    /// anything else.
-    pub fn check(
-        folder: &Folder,
-        images: Vec<PathBuf>,
-        (scene, how): (&Path, &dyn Debug),
-        replaced: &[&PathBuf],
-        is_needed: bool,
-    ) -> Result<Self> {
-        let mark = folder.file(MARK)?;
-        let made_of = made_of(scene, how)?;
-        let is_same = fs::read_to_string(&mark).is_ok_and(|found| found == made_of);
-        let mut there = images.iter().filter(|image| image.exists());
-        let is_empty = there.clone().next().is_none();
-        let stays = there.find(|image| !replaced.contains(image));
-        if let (Some(image), true, false) = (stays, is_needed, is_same) {
-            let image = image.display();
-            return refuse(format!(
-                "{image} was not made of this scene, with these cameras, options and version of organza, so it cannot stay: \
-                 leave out `--missing`, or choose another folder"
-            ));
-        }
-        let is_whole = is_same || stays.is_none();
-        let kept = Self { images, mark, made_of, is_whole };
-        if is_same || is_empty {
-            kept.write()?;
-        } else {
-            // until all are replaced, nothing is known of them
-            let _ = fs::remove_file(&kept.mark);
-        }
-        Ok(kept)
-    }
-
-    /// Writes down what the images are made of, if that is known.
-    pub fn write(&self) -> Result<()> {
-        match self.is_whole {
-            true => write_atomic(&self.mark, |writer| writer.write_all(self.made_of.as_bytes())),
-            false => Ok(()),
-        }
-    }
-}
-
-impl Drop for KeptImages {
-    fn drop(&mut self) {
-        // a call that failed leaves no mark of nothing
-        if self.images.iter().all(|image| !image.exists()) {
-            let _ = fs::remove_file(&self.mark);
-        }
-    }
 }
 
 /// The visible files of a folder.

@@ -1,6 +1,5 @@
 //! `organza render`: whole images.
 
-use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 
 use organza::image::{ChannelFormat, ChannelImage};
@@ -12,10 +11,10 @@ use super::channels::{ChannelArgs, FormatArgs};
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource, Shown};
-use super::output::{self, Folder, KeptImages, name, refuse_others};
+use super::output::{self, Folder, name, refuse_others};
 use super::picture::{Picture, Pictures, sizes, warn_not_finite};
 use super::summary::{Cost, Summary, count, grouped};
-use super::views::{ViewList, ViewTask, names, warn_distorted};
+use super::views::{ViewList, names, warn_distorted};
 use super::{refuse, text_of};
 
 const EXAMPLES: &str = "\
@@ -27,8 +26,6 @@ Examples:
   organza render run -o images --split held-out            those that it did not see
   organza render scene.safetensors data/fox -o images --split all --downscale 2
   organza render room.safetensors mug.safetensors@mug.json transforms.json -o images    two scenes (docs/scenes.md)
-  organza render scene.safetensors transforms.json -o images --task 0/4    the first of four machines
-  organza render scene.safetensors transforms.json -o images --missing     what is not there yet
 
 A data set's cameras are used as in training: undistorted and downscaled. With a run's folder, its settings say \
 which frames are held out. `--views` counts the frames that `--split` chooses.
@@ -37,10 +34,6 @@ If each camera names a photograph of its own, files are named after these; other
 view's index. The tile size does not change the image.
 
 A folder with files that are no images of these cameras is refused, unless you pass `--overwrite`. Nothing is removed.
-
-`--task I/N` renders the views I, I + N, I + 2N and so on, counted in the list of views. Several machines may write to \
-one folder at the same time. With `--missing`, images that are there stay as they are, and the others are rendered: after \
-a task has failed, or was killed. Images of another scene, or of other cameras or options, are refused.
 
 A channel is written beside the image, as NAME.depth.png. Every channel is 0 where no Gaussian \
 covers a pixel. In a PNG, depth is in thousandths of a world unit unless `--depth-scale` says \
@@ -62,12 +55,6 @@ pub struct Args {
     /// The views to render, such as 0,8 or 0-3 [default: all]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     views: Option<ViewList>,
-    /// Render every Nth view, starting with the Ith: I/N, such as 0/4. `slurm` takes both from a Slurm array
-    #[arg(long, value_name = "I/N")]
-    task: Option<ViewTask>,
-    /// Render only images that do not exist yet
-    #[arg(long)]
-    missing: bool,
     /// Write to a folder with other files. They stay; images of the same names are replaced
     #[arg(long)]
     overwrite: bool,
@@ -90,21 +77,15 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// The views to render.
-fn chosen(args: &Args, cameras: &Cameras) -> Result<Vec<usize>> {
-    let views = match &args.views {
-        Some(chosen) => chosen.resolve(cameras.list.len(), &cameras.origin)?,
-        None => (0..cameras.list.len()).collect(),
-    };
-    Ok(args.task.map_or(views.clone(), |task| task.select(views)))
-}
-
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let shown = Shown::find(&args.scene, &args.cameras)?;
     let source = &shown.source;
     let usage = "organza render SCENE CAMERAS -o DIR";
     let cameras = &Cameras::load(source, shown.cameras.as_deref(), &args.data, usage, console)?;
-    let views = &chosen(args, cameras)?;
+    let views = &match &args.views {
+        Some(chosen) => chosen.resolve(cameras.list.len(), &cameras.origin)?,
+        None => (0..cameras.list.len()).collect(),
+    };
     let list = &cameras.list[..];
     warn_distorted(console, list, views);
     let channels = args.channels.list();
@@ -115,8 +96,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
     let scene = source.load(console)?;
     let mut folder = Folder::make(&args.output)?;
-    // tasks write different images to one folder
-    folder.lock(args.task.is_some())?;
+    folder.lock()?;
     let beside = |channel: &Channel| format!("{}.{}", channel.name(), format.extension());
     let endings: Vec<_> =
         std::iter::once("png".to_owned()).chain(channels.iter().map(beside)).collect();
@@ -134,23 +114,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let scene = &shown.upload(&scene, &args.scene_args, renderer, console)?;
     let pictures =
         Pictures { renderer, scene, cameras: list, tile_size: args.tile_size, stop: None };
-    let is_wanted = |files: &[PathBuf]| !args.missing || !files.iter().all(|file| file.exists());
-    let todo: Vec<_> = (0..views.len()).filter(|&place| is_wanted(&files[place])).collect();
-    if todo.len() < views.len() {
-        let there = views.len() - todo.len();
-        let all = count(views.len() as u64, "view");
-        console.note(&format!("{there} of {all} are there from an earlier call"));
-    }
-    let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
-    let how = (list, args.scene_args.options(), format, shown.others()?);
-    let images = names(list).iter().map(|name| folder.join(&format!("{name}.png"))).collect();
-    let replaced: Vec<_> = rendered.iter().map(|(_, files)| &files[0]).collect();
-    let made_of = (source.file(), &how as &dyn Debug);
-    let kept = KeptImages::check(&folder, images, made_of, &replaced, args.missing)?;
     let output = (&channels[..], format);
-    let cost = write_all(&pictures, &rendered, output, console)?;
-    kept.write()?;
-    let names: Vec<_> = rendered.iter().flat_map(|(_, files)| *files).collect();
+    let cost = write_all(&pictures, views, &files, output, console)?;
+    let names: Vec<_> = files.iter().flatten().collect();
     console.note(&wrote(&names, &args.output));
     if args.json {
         let image = |(&view, files): (&usize, &Vec<PathBuf>)| {
@@ -158,8 +124,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         };
         let images = views.iter().zip(&files).map(image).collect();
         let folder = text_of(&args.output);
-        let rendered = rendered.len();
-        return print_json(&RenderOutput { folder, images, rendered, cost });
+        return print_json(&RenderOutput { folder, images, cost });
     }
     Ok(())
 }
@@ -167,8 +132,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 /// Names the written images, or the first and the last of many.
 fn wrote(names: &[&PathBuf], output: &Path) -> String {
     match names {
-        [] => "nothing to render".to_owned(),
-        [only] => format!("wrote {}", only.display()),
         [first, .., last] => format!(
             "wrote {} to {}: {} to {}",
             count(names.len() as u64, "image"),
@@ -176,6 +139,7 @@ fn wrote(names: &[&PathBuf], output: &Path) -> String {
             name(first),
             name(last)
         ),
+        names => format!("wrote {}", names[0].display()),
     }
 }
 
@@ -184,26 +148,24 @@ fn wrote(names: &[&PathBuf], output: &Path) -> String {
 struct RenderOutput {
     folder: String,
     images: Vec<Picture>,
-    /// Number of views that this call rendered. Earlier calls rendered the others.
-    rendered: usize,
     #[serde(flatten)]
     cost: Cost,
 }
 
 fn write_all(
     pictures: &Pictures<'_>,
-    todo: &[(usize, &Vec<PathBuf>)],
+    views: &[usize],
+    files: &[Vec<PathBuf>],
     (channels, format): (&[Channel], ChannelFormat),
     console: Console,
 ) -> Result<Cost> {
     let mut summary = Summary::start();
-    let views: Vec<_> = todo.iter().map(|(view, _)| *view).collect();
     let mut not_finite = 0;
     let mut not_finite_channels = 0;
     let mut clipped = 0;
     {
-        let progress = console.progress("rendering", pictures.tiles(&views), "tiles");
-        for &(view, paths) in todo {
+        let progress = console.progress("rendering", pictures.tiles(views), "tiles");
+        for (&view, paths) in views.iter().zip(files) {
             progress.say(&format!("rendering {}", name(&paths[0])));
             let (image, beside) =
                 pictures.render_channels(view, channels, &mut summary, &progress)?;
@@ -216,11 +178,9 @@ fn write_all(
             }
         }
     }
-    if !views.is_empty() {
-        let number = count(views.len() as u64, "image");
-        let size = sizes(pictures.cameras, &views);
-        summary.say(&format!("{number} of {size}"), console);
-    }
+    let number = count(views.len() as u64, "image");
+    let size = sizes(pictures.cameras, views);
+    summary.say(&format!("{number} of {size}"), console);
     warn_not_finite(console, not_finite);
     if not_finite_channels > 0 {
         let values = grouped(not_finite_channels);

@@ -49,72 +49,6 @@ impl ViewList {
     }
 }
 
-/// A task of several that render the views: every `count`-th. For example, `3/8` is the fourth, the twelfth and so on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ViewTask {
-    /// Index of the task, from 0.
-    pub index: usize,
-    /// Number of tasks.
-    pub count: usize,
-}
-
-impl FromStr for ViewTask {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == SLURM {
-            return Self::from_slurm(|name| std::env::var(name).ok());
-        }
-        let number = |text: &str| text.trim().parse::<usize>().ok();
-        let task = text
-            .split_once('/')
-            .and_then(|(index, count)| Some(Self { index: number(index)?, count: number(count)? }));
-        let task = task.ok_or_else(|| {
-            format!("expected I/N, such as 0/8 for the first of eight, or `{SLURM}`")
-        })?;
-        match task {
-            Self { count: 0, .. } => Err("there must be one task at least".to_owned()),
-            Self { index, count } if index >= count => {
-                let last = count - 1;
-                Err(format!("there is no task {index} of {count}: they are 0 to {last}"))
-            }
-            task => Ok(task),
-        }
-    }
-}
-
-/// Value of `--task` in a Slurm array.
-const SLURM: &str = "slurm";
-
-impl ViewTask {
-    /// This task of a Slurm array: `sbatch --array=A-B` or `A-B:STEP`.
-    fn from_slurm(variable: impl Fn(&str) -> Option<String>) -> Result<Self, String> {
-        let number =
-            |name: &str| variable(&format!("SLURM_ARRAY_TASK_{name}"))?.parse::<usize>().ok();
-        let (Some(id), Some(count)) = (number("ID"), number("COUNT").filter(|&count| count > 0))
-        else {
-            return Err("SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT are not set: this is no task of a Slurm array; \
-                        give I/N"
-                .to_owned());
-        };
-        let first = number("MIN").unwrap_or(0);
-        let step = number("STEP").unwrap_or(1).max(1);
-        let place = id.checked_sub(first).filter(|place| place.is_multiple_of(step));
-        match place.map(|place| place / step).filter(|&index| index < count) {
-            Some(index) => Ok(Self { index, count }),
-            None => Err(format!(
-                "the {count} tasks of this Slurm array are not numbered evenly, so that {id} has no place among them; \
-                 use `--array=A-B`, or give I/N"
-            )),
-        }
-    }
-
-    /// The task's views of a list.
-    pub fn select(self, views: Vec<usize>) -> Vec<usize> {
-        views.into_iter().skip(self.index).step_by(self.count).collect()
-    }
-}
-
 /// The error for a view that does not exist.
 pub fn no_view<T>(view: usize, count: usize, cameras: &Path) -> Result<T> {
     let cameras = cameras.display();
@@ -192,28 +126,6 @@ mod tests {
             Camera { file_path: path.map(str::to_owned), ..camera }
         };
         paths.iter().map(camera).collect()
-    }
-
-    #[test]
-    fn tasks_of_arrays() {
-        let task = |values: [&str; 4]| {
-            let names = ["ID", "COUNT", "MIN", "STEP"];
-            let variable = |name: &str| {
-                let at = names.iter().position(|n| name == format!("SLURM_ARRAY_TASK_{n}"))?;
-                Some(values[at].to_owned()).filter(|value| !value.is_empty())
-            };
-            ViewTask::from_slurm(variable).map(|ViewTask { index, count }| [index, count])
-        };
-        assert_eq!(task(["0", "4", "0", "1"]), Ok([0, 4]));
-        assert_eq!(task(["4", "4", "1", "1"]), Ok([3, 4]));
-        assert_eq!(task(["9", "3", "1", "4"]), Ok([2, 3]));
-        assert_eq!(task(["2", "3", "", ""]), Ok([2, 3]));
-        assert!(task(["5", "3", "1", "1"]).unwrap_err().contains("numbered evenly"));
-        assert!(task(["", "", "", ""]).unwrap_err().contains("no task of a Slurm array"));
-        for (text, reason) in [("3/3", "0 to 2"), ("1/0", "one task"), ("2", "such as 0/8")] {
-            assert!(text.parse::<ViewTask>().unwrap_err().contains(reason), "{text}");
-        }
-        assert_eq!("1/3".parse::<ViewTask>().unwrap().select((0..8).collect()), [1, 4, 7]);
     }
 
     #[test]

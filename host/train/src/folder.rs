@@ -55,7 +55,7 @@ impl RunFolder {
     /// written to.
     pub fn lock(path: &Path, resume: bool) -> Result<Self> {
         let invalid = |reason| Err(Error::Invalid { origin: path.to_owned(), reason });
-        let lock = match FolderLock::exclusive(path)? {
+        let lock = match FolderLock::take(path)? {
             Ok(lock) => lock,
             Err(holder) => {
                 return invalid(format!(

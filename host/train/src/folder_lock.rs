@@ -3,7 +3,6 @@
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use organza_core::{Error, Result};
 
@@ -15,7 +14,7 @@ const LOCK: &str = ".organza-lock";
 pub struct FolderLock {
     path: PathBuf,
     /// Dropped last, so the lock is released after the file is removed.
-    file: File,
+    _file: File,
 }
 
 impl FolderLock {
@@ -23,25 +22,10 @@ impl FolderLock {
     ///
     /// # Errors
     /// [`Error::WriteFile`] if the folder cannot be written to, or if something else is in the place of the lock file.
-    pub fn exclusive(folder: &Path) -> Result<Result<Self, String>> {
-        Self::new(folder, File::try_lock)
-    }
-
-    /// Like [`FolderLock::exclusive`], for calls that write different files: any number of them share the lock.
-    ///
-    /// # Errors
-    /// The same errors as [`FolderLock::exclusive`].
-    pub fn shared(folder: &Path) -> Result<Result<Self, String>> {
-        Self::new(folder, File::try_lock_shared)
-    }
-
-    fn new(
-        folder: &Path,
-        try_lock: fn(&File) -> Result<(), TryLockError>,
-    ) -> Result<Result<Self, String>> {
+    pub fn take(folder: &Path) -> Result<Result<Self, String>> {
         let path = folder.join(LOCK);
-        let locked = lock(&path, try_lock).map_err(|source| Error::write(&path, source))?;
-        Ok(locked.map(|file| Self { path, file }))
+        let locked = lock(&path).map_err(|source| Error::write(&path, source))?;
+        Ok(locked.map(|file| Self { path, _file: file }))
     }
 
     /// Does the work of dropping, for a program that exits at once: removes the lock file if it names this process.
@@ -58,11 +42,8 @@ impl FolderLock {
 
 impl Drop for FolderLock {
     fn drop(&mut self) {
-        // Other processes that share the lock still need the file. Only the last one can lock it exclusively.
-        if !matches!(self.file.try_lock(), Err(TryLockError::WouldBlock)) {
-            // A program that has opened it meanwhile finds it removed, and tries again.
-            let _ = fs::remove_file(&self.path);
-        }
+        // A program that has opened it meanwhile finds it removed, and tries again.
+        let _ = fs::remove_file(&self.path);
     }
 }
 
@@ -72,21 +53,11 @@ fn own_name() -> String {
 }
 
 /// Locks the file, or returns who has locked it.
-fn lock(
-    path: &Path,
-    try_lock: fn(&File) -> Result<(), TryLockError>,
-) -> io::Result<Result<File, String>> {
-    let mut patience = 10;
+fn lock(path: &Path) -> io::Result<Result<File, String>> {
     loop {
         let mut file = open(path)?;
-        match try_lock(&file) {
+        match file.try_lock() {
             Ok(()) => {}
-            // the last process of a shared lock takes it exclusively, for a moment at its end
-            Err(TryLockError::WouldBlock) if patience > 0 => {
-                patience -= 1;
-                std::thread::sleep(Duration::from_millis(10));
-                continue;
-            }
             Err(TryLockError::WouldBlock) => {
                 let mut holder = String::new();
                 let _ = (&mut file).take(64).read_to_string(&mut holder);
@@ -149,21 +120,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_at_a_time_or_several_that_share() {
+    fn one_at_a_time() {
         let folder = tempfile::tempdir().unwrap();
-        let exclusive = || FolderLock::exclusive(folder.path()).unwrap();
-        let shared = || FolderLock::shared(folder.path()).unwrap();
-        let first = exclusive().unwrap();
-        assert_eq!(exclusive().unwrap_err(), own_name());
-        assert_eq!(shared().unwrap_err(), own_name());
+        let lock = || FolderLock::take(folder.path()).unwrap();
+        let first = lock().unwrap();
+        assert_eq!(lock().unwrap_err(), own_name());
         drop(first);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-        let first = shared().unwrap();
-        let second = shared().unwrap();
-        drop(first);
-        assert!(exclusive().is_err());
-        drop(second);
-        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-        drop(exclusive().unwrap());
+        drop(lock().unwrap());
     }
 }

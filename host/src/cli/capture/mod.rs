@@ -173,7 +173,7 @@ fn capture<S: Borrow<Signals>>(
     }
     let versions = programs::find(&needed)?;
     let mut folder = Folder::make(&args.output)?;
-    folder.lock(false)?;
+    folder.lock()?;
     let key = key(&source, args)?;
     let output = named(&args.output);
     if let Some(Done { judgment, .. }) = done(&folder, &key)? {

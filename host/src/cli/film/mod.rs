@@ -181,7 +181,7 @@ impl Film<'_> {
             FilmKind::Mp4 | FilmKind::Png => args.output.with_added_extension("frames"),
         };
         let mut folder = Folder::make(&folder)?;
-        folder.lock(false)?;
+        folder.lock()?;
         let how = (self.cameras, self.look, args.scene_args.options(), shown.others()?);
         continue_film(&folder, shown.source.file(), &how, args.overwrite)?;
         let file = |frame: usize| folder.file(&format!("{frame:05}.png"));

@@ -234,7 +234,6 @@ fn channels_are_written_beside_the_color() {
     sandbox.run(&format!("{RENDER} -o plain --views 0")).assert_ok();
     let words = format!("{RENDER} -o views --views 0 --channels {all}");
     sandbox.run(&format!("{words} --depth-scale 100")).assert_ok();
-    sandbox.run(&format!("{words} --format exr")).assert_ok();
     let (name, color) = sandbox.images("plain").pop_first().unwrap();
     let stem = name.trim_end_matches(".png");
     // The files differ in what they say of their options.
@@ -252,14 +251,6 @@ fn channels_are_written_beside_the_color() {
         let value = |x, y, plane| tensor.data[(plane * side + y) * side + x];
         let (kind, found) = levels(&sandbox, &format!("views/{stem}.{name}.png"));
         assert_eq!(kind.channel_count() as usize, planes);
-        let floats = exr::prelude::read_all_flat_layers_from_file(
-            sandbox.path(&format!("views/{stem}.{name}.exr")),
-        );
-        let layer = &floats.unwrap().layer_data[0];
-        let mut names: Vec<_> =
-            layer.channel_data.list.iter().map(|c| c.name.to_string()).collect();
-        names.sort_by_key(|name| "YRGB".find(name.as_str()));
-        assert_eq!(names.concat(), if planes == 3 { "RGB" } else { "Y" });
         for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
             for plane in 0..planes {
                 let level = found[(y * width + x) * planes + plane];
@@ -268,11 +259,6 @@ fn channels_are_written_beside_the_color() {
                     (f32::from(level) - expected).abs() <= 0.6,
                     "{name} at {x}, {y}: {level} for {expected}"
                 );
-                let channel =
-                    layer.channel_data.list.iter().find(|c| c.name.to_string() == names[plane]);
-                let exact =
-                    channel.unwrap().sample_data.value_by_flat_index(y * width + x).to_f32();
-                assert_eq!(exact, value(x, y, plane), "{name} at {x}, {y}");
             }
         }
     }
@@ -281,7 +267,7 @@ fn channels_are_written_beside_the_color() {
         .assert_ok()
         .says(&["deeper than a PNG holds"]);
     sandbox.assert_refuses(&format!("{RENDER} -o images --channels color"), &["color", "depth"]);
-    sandbox.assert_refuses(&format!("{RENDER} -o images --format exr"), &["--channels"]);
+    sandbox.assert_refuses(&format!("{RENDER} -o images --depth-scale 9"), &["--channels"]);
     sandbox.assert_refuses(
         &format!("{RENDER} -o images --channels depth --depth-scale 0"),
         &["above 0"],

@@ -10,7 +10,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-pub use channel::{ChannelFormat, ChannelImage, PNG_DEPTH_SCALE};
+pub use channel::{ChannelImage, PNG_DEPTH_SCALE};
 use png::{BitDepth, ColorType};
 use rayon::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 use organza::Channel;
-use organza::image::{ChannelFormat, PNG_DEPTH_SCALE};
+use organza::image::PNG_DEPTH_SCALE;
 
 /// The channels to write.
 #[derive(Debug, clap::Args)]
@@ -21,37 +21,18 @@ impl ChannelArgs {
     }
 }
 
-/// The format of channels' images.
+/// The levels of channels' images.
 #[derive(Debug, clap::Args)]
-pub struct FormatArgs {
-    /// Format of the channels' images: png has 16 bits, exr the exact values
-    #[arg(long, value_enum, default_value_t, requires = "channels")]
-    format: Format,
+pub struct LevelArgs {
     /// Levels of a PNG for one world unit of depth: the largest depth is 65,535 levels
     #[arg(long, value_name = "N", default_value_t = PNG_DEPTH_SCALE, requires = "channels")]
     #[arg(value_parser = depth_scale)]
-    depth_scale: f32,
-}
-
-impl FormatArgs {
-    pub fn format(&self) -> ChannelFormat {
-        match self.format {
-            Format::Png => ChannelFormat::Png { depth_scale: self.depth_scale },
-            Format::Exr => ChannelFormat::Exr,
-        }
-    }
+    pub depth_scale: f32,
 }
 
 fn depth_scale(text: &str) -> Result<f32, String> {
     let scale = text.parse().ok().filter(|scale: &f32| *scale > 0.0 && scale.is_finite());
     scale.ok_or_else(|| "expected a number above 0".to_owned())
-}
-
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum Format {
-    #[default]
-    Png,
-    Exr,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use organza::image::{ChannelFormat, ChannelImage};
+use organza::image::ChannelImage;
 use organza::tile::MAX_TILE_SIDE;
 use organza::{Channel, Image, Result};
 use serde::Serialize;
 
-use super::channels::{ChannelArgs, FormatArgs};
+use super::channels::{ChannelArgs, LevelArgs};
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource, Shown};
@@ -21,7 +21,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza render scene.safetensors transforms.json -o images
   organza render scene.safetensors transforms.json -o images --views 0-3,8 --tile-size 128
-  organza render scene.safetensors transforms.json -o images --channels depth,normal --format exr
+  organza render scene.safetensors transforms.json -o images --channels depth,normal
   organza render run -o images                             the views that the run was trained on
   organza render run -o images --split held-out            those that it did not see
   organza render scene.safetensors data/fox -o images --split all --downscale 2
@@ -36,9 +36,8 @@ view's index. The tile size does not change the image.
 A folder with files that are no images of these cameras is refused, unless you pass `--overwrite`. Nothing is removed.
 
 A channel is written beside the image, as NAME.depth.png. Every channel is 0 where no Gaussian \
-covers a pixel. In a PNG, depth is in thousandths of a world unit unless `--depth-scale` says \
-otherwise, alpha and visibility go from 0 to 1, and each part of a normal from -1 to 1. In an EXR \
-file, the values are as they are.";
+covers a pixel. Depth is in thousandths of a world unit unless `--depth-scale` says otherwise, alpha and visibility go \
+from 0 to 1, and each part of a normal from -1 to 1. `organza tiles` writes the exact values.";
 
 /// Render whole views as PNG images
 #[derive(Debug, clap::Args)]
@@ -70,7 +69,7 @@ pub struct Args {
     #[command(flatten)]
     channels: ChannelArgs,
     #[command(flatten)]
-    format: FormatArgs,
+    levels: LevelArgs,
     #[command(flatten)]
     scene_args: SceneArgs,
     #[command(flatten)]
@@ -89,7 +88,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let list = &cameras.list[..];
     warn_distorted(console, list, views);
     let channels = args.channels.list();
-    let format = args.format.format();
     for &view in views {
         Image::check_memory(list[view].width, list[view].height)?;
         ChannelImage::check_memory(&channels, list[view].width, list[view].height)?;
@@ -97,7 +95,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let scene = source.load(console)?;
     let mut folder = Folder::make(&args.output)?;
     folder.lock()?;
-    let beside = |channel: &Channel| format!("{}.{}", channel.name(), format.extension());
+    let beside = |channel: &Channel| format!("{}.png", channel.name());
     let endings: Vec<_> =
         std::iter::once("png".to_owned()).chain(channels.iter().map(beside)).collect();
     let files = files(&folder, source, cameras, views, &endings)?;
@@ -114,7 +112,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let scene = &shown.upload(&scene, &args.scene_args, renderer, console)?;
     let pictures =
         Pictures { renderer, scene, cameras: list, tile_size: args.tile_size, stop: None };
-    let output = (&channels[..], format);
+    let output = (&channels[..], args.levels.depth_scale);
     let cost = write_all(&pictures, views, &files, output, console)?;
     let names: Vec<_> = files.iter().flatten().collect();
     console.note(&wrote(&names, &args.output));
@@ -156,7 +154,7 @@ fn write_all(
     pictures: &Pictures<'_>,
     views: &[usize],
     files: &[Vec<PathBuf>],
-    (channels, format): (&[Channel], ChannelFormat),
+    (channels, depth_scale): (&[Channel], f32),
     console: Console,
 ) -> Result<Cost> {
     let mut summary = Summary::start();
@@ -172,8 +170,8 @@ fn write_all(
             image.save_png(&paths[0])?;
             not_finite += image.not_finite();
             for (image, path) in beside.iter().zip(&paths[1..]) {
-                image.save(path, format)?;
-                clipped += image.clipped(format);
+                image.save(path, depth_scale)?;
+                clipped += image.clipped(depth_scale);
                 not_finite_channels += image.not_finite();
             }
         }
@@ -191,8 +189,7 @@ fn write_all(
     if clipped > 0 {
         let clipped = grouped(clipped);
         console.warn(&format!(
-            "deeper than a PNG holds: {clipped} pixels; use a smaller `--depth-scale`, or \
-             `--format exr`"
+            "deeper than a PNG holds: {clipped} pixels; use a smaller `--depth-scale`"
         ));
     }
     Ok(summary.cost(pictures.renderer, not_finite))

@@ -188,7 +188,7 @@ fn commands_speak_of_the_world() {
     assert_eq!(given[0].camera_to_world, refined[0].camera_to_world);
 
     // the same view by its own name and from a file of the world; depths are in the world's units
-    let depth = "--channels depth --format exr --backend cpu --views 1";
+    let depth = "--channels depth --backend cpu --views 1";
     sandbox.run(&format!("render run -o by-run {depth}")).assert_ok();
     sandbox.run(&format!("render run run/cameras.json -o by-file {depth}")).assert_ok();
     assert!(sandbox.read("by-run/view-001.png") == sandbox.read("by-file/view-001.png"));

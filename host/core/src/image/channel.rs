@@ -1,9 +1,8 @@
-//! Channels besides color as images: 16-bit PNG, or OpenEXR.
+//! Channels besides color as images: 16-bit PNG.
 
-use std::io::{self, Cursor};
+use std::io;
 use std::path::Path;
 
-use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, SmallVec, WritableImage};
 use png::{BitDepth, ColorType};
 
 use super::{Image, Pixels, to_8_bit, visible_pixels};
@@ -14,28 +13,6 @@ use muslin_error::memory;
 /// Default levels of a 16-bit PNG for one unit of depth. A level is a thousandth, as in the depth images that
 /// nerfstudio reads.
 pub const PNG_DEPTH_SCALE: f32 = 1000.0;
-
-/// The format of channels' images.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ChannelFormat {
-    /// 16-bit PNG.
-    Png {
-        /// Levels for one world unit of depth, greater than 0; usually [`PNG_DEPTH_SCALE`].
-        depth_scale: f32,
-    },
-    /// OpenEXR with 32-bit floats: the exact values.
-    Exr,
-}
-
-impl ChannelFormat {
-    /// Extension of the format's files: `png` or `exr`.
-    pub fn extension(self) -> &'static str {
-        match self {
-            Self::Png { .. } => "png",
-            Self::Exr => "exr",
-        }
-    }
-}
 
 /// A channel of a whole view.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,12 +87,10 @@ impl ChannelImage {
     }
 
     /// Number of pixels whose depth exceeds a 16-bit PNG's range: they get its largest level.
-    pub fn clipped(&self, format: ChannelFormat) -> u64 {
-        match (self.channel, format) {
-            (Channel::Depth, ChannelFormat::Png { depth_scale }) => {
-                let clipped = |depth: &&f32| **depth * depth_scale >= 65_535.5;
-                self.values.iter().filter(clipped).count() as u64
-            }
+    pub fn clipped(&self, depth_scale: f32) -> u64 {
+        let is_clipped = |depth: &&f32| **depth * depth_scale >= 65_535.5;
+        match self.channel {
+            Channel::Depth => self.values.iter().filter(is_clipped).count() as u64,
             _ => 0,
         }
     }
@@ -125,21 +100,13 @@ impl ChannelImage {
         self.values.iter().filter(|value| !value.is_finite()).count() as u64
     }
 
-    /// Writes the image, atomically.
-    ///
-    /// - PNG: depth times `depth_scale`; alpha and visibility from 0 to 1; each component of a normal from -1 to 1.
-    ///   Values are clamped, and rounded to the nearest of 65,536 levels. NaN is 0.
-    /// - EXR: the exact values, as `Y`, or as `R`, `G`, `B` of a normal.
+    /// Writes the image, atomically: depth times `depth_scale`, usually [`PNG_DEPTH_SCALE`]; alpha and visibility from 0 to 1;
+    /// each component of a normal from -1 to 1. Values are clamped, and rounded to the nearest of 65,536 levels. NaN is 0.
     ///
     /// # Errors
     /// [`Error::WriteFile`](crate::Error::WriteFile).
-    pub fn save(&self, path: impl AsRef<Path>, format: ChannelFormat) -> Result<()> {
-        write_atomic(path, |writer| {
-            writer.write_all(&match format {
-                ChannelFormat::Png { depth_scale } => self.encode_png(depth_scale)?,
-                ChannelFormat::Exr => self.encode_exr()?,
-            })
-        })
+    pub fn save(&self, path: impl AsRef<Path>, depth_scale: f32) -> Result<()> {
+        write_atomic(path, |writer| writer.write_all(&self.encode(depth_scale)?))
     }
 
     /// The channel as a picture for people. Depth goes from red at `near` to blue at `far`, in Google's color map
@@ -166,7 +133,7 @@ impl ChannelImage {
         Image::from_pixels(self.size, &colors)
     }
 
-    fn encode_png(&self, depth_scale: f32) -> io::Result<Vec<u8>> {
+    fn encode(&self, depth_scale: f32) -> io::Result<Vec<u8>> {
         let planes = self.channel.planes();
         let pixels = self.values.len() / planes;
         let level = |value: f32| match self.channel {
@@ -183,26 +150,6 @@ impl ChannelImage {
             depth: BitDepth::Sixteen,
         };
         pixels.png(None)
-    }
-
-    fn encode_exr(&self) -> io::Result<Vec<u8>> {
-        let names: &[&str] = if self.channel.planes() == 3 { &["R", "G", "B"] } else { &["Y"] };
-        let planes = self.values.chunks_exact(self.values.len() / names.len());
-        let channels: SmallVec<_> = names
-            .iter()
-            .zip(planes)
-            .map(|(&name, plane)| AnyChannel::new(name, FlatSamples::F32(plane.to_vec())))
-            .collect();
-        let size = self.size.map(|size| size as usize);
-        let image = exr::image::Image::from_encoded_channels(
-            (size[0], size[1]),
-            Encoding::SMALL_LOSSLESS,
-            AnyChannels::sort(channels),
-        );
-        // in EXR, offsets of the lines come first
-        let mut file = Cursor::new(Vec::new());
-        image.write().non_parallel().to_buffered(&mut file).map_err(io::Error::other)?;
-        Ok(file.into_inner())
     }
 }
 

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Mutex;
 use std::time::Duration;
 
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
@@ -27,7 +27,6 @@ pub struct Console {
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
-    pace: Arc<Mutex<Pace>>,
     log: Option<Log>,
 }
 
@@ -39,41 +38,14 @@ struct Log {
     last: Mutex<Duration>,
 }
 
+/// Time between two images of a bar.
+const TICK: Duration = Duration::from_millis(100);
 /// Seconds until the first line of a bar in a log.
 const FIRST_LINE: f64 = 10.0;
 
 /// Seconds between lines in a log: a tenth of the seconds so far, from `shortest` to a minute. An hour gives about 100 lines.
 pub fn between_lines(so_far: f64, shortest: f64) -> f64 {
     (0.1 * so_far).clamp(shortest, 60.0)
-}
-
-/// Fewest steps in a half of a task whose pace is told.
-const FEWEST: f64 = 2.0;
-
-/// How long the steps of a task take.
-#[derive(Debug, Default)]
-pub struct Pace {
-    /// Finished steps and seconds: the first ones, and then whenever the steps since the first ones have doubled.
-    marks: Vec<[f64; 2]>,
-}
-
-impl Pace {
-    /// Seconds of a step, by the last half of the steps so far, `done` of which took these seconds. `None` until all of them
-    /// say the same to within a factor of two: a first step that takes long says nothing of the others.
-    pub fn step(&mut self, seconds: f64, done: u64) -> Option<f64> {
-        let done = done as f64;
-        let [first, begin] = *self.marks.first().unwrap_or(&[done, seconds]);
-        let steps = done - first;
-        let last = self.marks.last().map(|mark| mark[0]);
-        if last.is_none_or(|last| done > last && steps >= 2.0 * (last - first)) {
-            self.marks.push([done, seconds]);
-        }
-        let is_half = |[at, _]: &&[f64; 2]| *at >= first + FEWEST && 2.0 * (at - first) <= steps;
-        let [half, middle] = *self.marks.iter().rev().find(is_half)?;
-        let step = (seconds - middle) / (done - half);
-        let mean = (seconds - begin) / steps;
-        (0.5..=2.0).contains(&(mean / step)).then_some(step)
-    }
 }
 
 /// The end of a line: `, 3m left`, or nothing if the seconds are unknown.
@@ -83,11 +55,9 @@ pub fn left(seconds: Option<f64>) -> String {
     seconds.map_or_else(String::new, |seconds| format!(", {:#} left", time(seconds)))
 }
 
-/// [`left`] of a bar, at its pace.
-fn left_of(pace: &Mutex<Pace>, elapsed: Duration, done: u64, all: u64) -> String {
-    let mut pace = pace.lock().unwrap_or_else(PoisonError::into_inner);
-    let step = pace.step(elapsed.as_secs_f64(), done);
-    left(step.map(|step| step * all.saturating_sub(done) as f64))
+/// [`left`] of this many steps, of which so many were done in a second lately; none yet are 0.
+fn left_of(steps: u64, speed: f64) -> String {
+    left((speed > 0.0).then(|| steps as f64 / speed))
 }
 
 impl Log {
@@ -157,24 +127,22 @@ impl Console {
 
     /// A progress that never shows.
     pub fn hidden(self) -> Progress {
-        Progress { bar: ProgressBar::hidden(), pace: Arc::default(), log: None }
+        Progress { bar: ProgressBar::hidden(), log: None }
     }
 
     fn show(self, bar: ProgressBar, template: &str) -> Progress {
         if self.quiet {
             return self.hidden();
         }
-        let pace: Arc<Mutex<Pace>> = Arc::default();
-        let shared = Arc::clone(&pace);
-        let show = move |state: &ProgressState, text: &mut dyn fmt::Write| {
-            let all = state.len().unwrap_or(0);
-            let _ = text.write_str(&left_of(&shared, state.elapsed(), state.pos(), all));
+        let show = |state: &ProgressState, text: &mut dyn fmt::Write| {
+            let steps = state.len().unwrap_or(0).saturating_sub(state.pos());
+            let _ = text.write_str(&left_of(steps, state.per_sec()));
         };
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style.progress_chars("=> ").with_key("left", show));
         }
-        bar.enable_steady_tick(Duration::from_millis(100));
-        Progress { bar, pace, log: None }
+        bar.enable_steady_tick(TICK);
+        Progress { bar, log: None }
     }
 }
 
@@ -203,7 +171,16 @@ impl Progress {
 
     /// Estimates the remaining time only from steps after this call.
     pub fn restart_clock(&self) {
-        *self.pace.lock().unwrap_or_else(PoisonError::into_inner) = Pace::default();
+        // with its ticker, the bar would count the steps so far as just done
+        self.bar.disable_steady_tick();
+        self.bar.tick();
+        self.bar.reset_eta();
+        self.bar.enable_steady_tick(TICK);
+    }
+
+    /// Steps a second, lately; 0 before the first.
+    pub fn speed(&self) -> f64 {
+        self.bar.per_sec()
     }
 
     /// Prints a note above the bar.
@@ -227,7 +204,7 @@ impl Progress {
         let Some(log) = &self.log else { return };
         let done = self.bar.position();
         let all = self.bar.length().unwrap_or(done);
-        let left = left_of(&self.pace, self.bar.elapsed(), done, all);
+        let left = left_of(all.saturating_sub(done), self.speed());
         if log.is_due(self.bar.elapsed()) {
             let what = self.bar.message();
             let unit = &log.unit;
@@ -358,26 +335,6 @@ mod tests {
         assert_eq!(due[..3], [10, 20, 30]);
         assert_eq!(due[due.len() - 1] - due[due.len() - 2], 60);
         assert!((130..160).contains(&due.len()), "{} lines in two hours", due.len());
-    }
-
-    #[test]
-    fn the_pace_is_said_once_it_is_steady() {
-        let mut pace = Pace::default();
-        // a minute until something begins, and then ten steps a second
-        let told: Vec<_> = (0..=1000_u32)
-            .filter_map(|step| {
-                let seconds = if step == 0 { 0.0 } else { 60.0 + 0.1 * f64::from(step) };
-                Some((seconds, pace.step(seconds, u64::from(step))?))
-            })
-            .collect();
-        assert!(told[0].0 > 100.0 && told.len() > 100, "{:?}", told[0]);
-        assert!(told.iter().all(|told| (told.1 - 0.1).abs() < 1e-9), "{told:?}");
-        // long steps of which some are longer, after another training's
-        let mut pace = Pace::default();
-        let seconds = [500.0, 560.0, 650.0, 720.0, 790.0];
-        let told: Vec<_> = (30_u64..).zip(seconds).map(|(step, at)| pace.step(at, step)).collect();
-        assert_eq!(told, [None, None, None, None, Some(70.0)]);
-        assert_eq!([left(None), left(Some(70.0 * 6.0))], ["", ", 7m left"]);
     }
 
     #[test]

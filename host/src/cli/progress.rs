@@ -7,7 +7,7 @@ use organza::Evaluation;
 use organza::metrics::psnr_of;
 use organza::train::{Change, Event, Outcome, StepReport};
 
-use super::console::{Console, Pace, Progress, between_lines, left};
+use super::console::{Console, Progress, between_lines, left};
 use super::summary::{count, grouped};
 
 /// Fewest seconds between lines.
@@ -22,7 +22,6 @@ pub struct TrainingProgress {
     /// Whether the number of steps is an estimate, which a run with `--minutes` changes as it goes.
     is_scheduled: bool,
     time_limit: Option<f64>,
-    pace: Pace,
     lines: Lines,
     step: u32,
     seconds: f64,
@@ -43,7 +42,6 @@ impl TrainingProgress {
             steps,
             is_scheduled: false,
             time_limit,
-            pace: Pace::default(),
             lines: Lines::default(),
             step: 0,
             seconds: 0.0,
@@ -98,10 +96,10 @@ impl TrainingProgress {
     }
 
     fn step(&mut self, report: &StepReport) {
-        let pace = self.pace.step(self.seconds, self.step.into());
-        let speed =
-            pace.map_or_else(String::new, |step| format!(", {} steps/s", rounded(1.0 / step)));
         self.bar.set(self.step as usize);
+        let pace = Some(self.bar.speed()).filter(|speed| *speed > 0.0);
+        let speed =
+            pace.map_or_else(String::new, |speed| format!(", {} steps/s", rounded(speed)));
         self.bar.say(&format!(
             "{}, {}{speed}",
             error(report.loss, report.psnr),
@@ -120,7 +118,7 @@ impl TrainingProgress {
             grouped(self.steps.into()),
             error(loss, psnr),
             self.gaussian_count(),
-            left(pace.map(|step| self.seconds_left(step))),
+            left(pace.map(|speed| self.seconds_left(speed))),
         ));
     }
 
@@ -158,10 +156,10 @@ impl TrainingProgress {
         count(self.gaussians.unwrap_or(0) as u64, "Gaussian")
     }
 
-    /// Estimates the seconds of training left, without evaluations, if a step takes this many.
-    fn seconds_left(&self, step: f64) -> f64 {
+    /// Estimates the seconds left at a number of steps a second.
+    fn seconds_left(&self, speed: f64) -> f64 {
         let limit = self.time_limit.map_or(f64::INFINITY, |limit| (limit - self.seconds).max(0.0));
-        (step * f64::from(self.steps.saturating_sub(self.step))).min(limit)
+        (f64::from(self.steps.saturating_sub(self.step)) / speed).min(limit)
     }
 }
 

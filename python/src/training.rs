@@ -1,6 +1,5 @@
 //! Training step by step: a thread trains, and Python asks it for the next event by messages.
 
-use std::ffi::CString;
 use std::path::{Path, PathBuf, absolute};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -16,7 +15,6 @@ use organza::train::report::Reporter;
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, RunFolder, Session, StepHooks, Trainer,
 };
-use pyo3::exceptions::PyFutureWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -36,7 +34,6 @@ impl TrainConfig {
     /// Combines a preset, a file that overrides it, and assignments such as `run.steps=300` that override both.
     #[new]
     fn new(
-        py: Python<'_>,
         preset: Option<&str>,
         file: Option<PathBuf>,
         assignments: Vec<String>,
@@ -48,10 +45,6 @@ impl TrainConfig {
         }
         for assignment in &assignments {
             builder = builder.set(assignment).map_err(raise)?;
-        }
-        for note in builder.notes() {
-            let note = CString::new(note.as_str())?;
-            PyErr::warn(py, &py.get_type::<PyFutureWarning>(), &note, 2)?;
         }
         builder.build().map(Self).map_err(raise)
     }

@@ -57,8 +57,7 @@ pub struct Args {
     outside: bool,
     /// Remove Gaussians that contribute no more than this to all views together, in pixels. With 0, the views stay as
     /// they are, to the bit
-    #[arg(long, alias = "least-contribution", value_name = "PIXELS", num_args = 0..=1)]
-    #[arg(require_equals = true)]
+    #[arg(long, value_name = "PIXELS", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "0", value_parser = number_in(0.0.., "pixels, 0 or more"))]
     min_contribution: Option<f64>,
     /// Remove haze: Gaussians that are mostly in front of surfaces and that at most VIEWS views see [default: a

@@ -200,7 +200,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.print_config {
         let config = match &args.resume {
             Some(folder) => args.settings.resumed(folder)?,
-            None => args.settings.settings(args.data.as_deref(), console)?.0,
+            None => args.settings.settings(args.data.as_deref())?.0,
         };
         return if args.json { print_json(&config) } else { print(&config.to_toml()) };
     }
@@ -517,7 +517,7 @@ fn prepare(
         return Ok((folder.clone(), config, false));
     }
     let folder = args.output.clone().expect("clap requires it");
-    let (mut config, shrinks) = args.settings.settings(args.data.as_deref(), console)?;
+    let (mut config, shrinks) = args.settings.settings(args.data.as_deref())?;
     if let Some(source) = config.data.path.take_if(|path| capture::is_source(path)) {
         if folder.join(CONFIG).exists() {
             let folder = folder.display();
@@ -546,7 +546,7 @@ impl SettingsArgs {
     }
 
     /// The settings to train on a data set, or on the built-in scene, and whether they leave the size of photographs open.
-    fn settings(&self, data: Option<&Path>, console: Console) -> Result<(TrainConfig, bool)> {
+    fn settings(&self, data: Option<&Path>) -> Result<(TrainConfig, bool)> {
         let named = self.preset.as_deref();
         let preset = match Preset::ALL.into_iter().find(|preset| Some(preset.name()) == named) {
             Some(preset) => preset,
@@ -562,7 +562,6 @@ impl SettingsArgs {
             builder = builder.limit_start()?;
         }
         let shrinks = !builder.has("data", "downscale");
-        builder.notes().iter().for_each(|note| console.note(note));
         let mut config = builder.build()?;
         if let Some(data) = data {
             config.data.path = Some(data.to_owned());

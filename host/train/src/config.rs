@@ -172,8 +172,7 @@ impl TrainConfig {
     /// Fails if a run's own file, which has every setting, lacks one.
     pub(super) fn check_complete(&self, path: &Path) -> Result<()> {
         let text = read_text(path, MAX_BYTES, "settings")?;
-        let mut found: toml::Table = toml::from_str(&text).unwrap_or_default();
-        assignment::rename_old(&mut found);
+        let found: toml::Table = toml::from_str(&text).unwrap_or_default();
         let has = |name: &str| {
             let mut keys = name.split('.');
             let table = keys.next().and_then(|key| found.get(key));

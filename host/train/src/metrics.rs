@@ -76,7 +76,6 @@ pub enum Record {
         views: Vec<ViewScore>,
     },
     /// The number of Gaussians changed.
-    #[serde(alias = "growth")]
     Densification {
         /// Optimizer steps so far.
         step: u64,

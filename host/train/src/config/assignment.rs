@@ -75,41 +75,6 @@ pub fn merge(under: &mut Table, over: Table) {
     }
 }
 
-/// Groups and settings whose names have changed, with the new ones: version 0.1 reads both.
-const RENAMED: [(&str, &str); 2] = [("growth", "densification"), ("run.plan", "run.schedule")];
-
-/// The new name of a setting, if it has changed.
-pub fn renamed(key: &str) -> Option<String> {
-    RENAMED.iter().find_map(|(old, new)| {
-        let rest = key.strip_prefix(old)?;
-        (rest.is_empty() || rest.starts_with('.')).then(|| format!("{new}{rest}"))
-    })
-}
-
-/// Gives settings of a file their new names. Returns what has changed, as sentences.
-pub fn rename_old(table: &mut Table) -> Vec<String> {
-    let mut notes = Vec::new();
-    for (old, new) in RENAMED {
-        let taken = match old.split_once('.') {
-            Some((group, name)) => match table.get_mut(group) {
-                Some(Value::Table(group)) => group.remove(name),
-                _ => None,
-            },
-            None => table.remove(old),
-        };
-        if let Some(value) = taken {
-            merge(table, wrapped(value, new));
-            notes.push(note(old, new));
-        }
-    }
-    notes
-}
-
-/// Says that a setting has another name.
-pub fn note(old: &str, new: &str) -> String {
-    format!("the setting `{old}` is called `{new}` now")
-}
-
 /// A table with one value.
 fn wrapped(value: Value, key: &str) -> Table {
     let wrap = |value, name: &str| Value::Table(Table::from_iter([(name.to_owned(), value)]));
@@ -125,8 +90,6 @@ pub fn parse(text: &str) -> Result<Table, String> {
         return Err(format!("`{text}` has no value; write KEY=VALUE, such as run.steps=3000"));
     };
     let key = key.trim();
-    let new = renamed(key);
-    let key = new.as_deref().unwrap_or(key);
     let text = value.trim();
     let default = find(key)?;
     let value = read(&default, text)

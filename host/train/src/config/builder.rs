@@ -27,7 +27,6 @@ use organza_core::tile::max_tiles;
 pub struct ConfigBuilder {
     /// Every setting.
     table: Table,
-    notes: Vec<String>,
     /// The settings that calls have set.
     given: Table,
 }
@@ -46,7 +45,7 @@ impl ConfigBuilder {
     #[must_use]
     pub fn from_config(config: &TrainConfig) -> Self {
         let table = Table::try_from(config).expect("plain tables of numbers and strings");
-        Self { table, notes: Vec::new(), given: Table::new() }
+        Self { table, given: Table::new() }
     }
 
     /// Adds the settings of a file.
@@ -69,17 +68,13 @@ impl ConfigBuilder {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             format!("line {line}: {}", error.message())
         };
-        let mut table: Table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
-        let notes = assignment::rename_old(&mut table);
-        let has_new_names = notes.is_empty();
-        self.notes.extend(notes);
+        let table: Table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
         merge(&mut self.table, table.clone());
         merge(&mut self.given, table.clone());
         let config = self.parse().map_err(|reason| {
             let alone = toml::from_str::<TrainConfig>(text).err();
             // a setting that the text leaves out is not missing
-            let alone = alone
-                .filter(|error| has_new_names && !error.message().starts_with("missing field"));
+            let alone = alone.filter(|error| !error.message().starts_with("missing field"));
             invalid(alone.map_or(reason, at_line))
         })?;
         config.check().map_err(invalid)?;
@@ -97,10 +92,6 @@ impl ConfigBuilder {
     /// [`Error::Invalid`] if there is no such setting, or if the value is not of its type.
     pub fn set(mut self, assignment: &str) -> Result<Self> {
         let table = assignment::parse(assignment).map_err(invalid)?;
-        let old = assignment.split('=').next().unwrap_or_default().trim();
-        if let Some(new) = assignment::renamed(old) {
-            self.notes.push(assignment::note(old, &new));
-        }
         merge(&mut self.table, table.clone());
         merge(&mut self.given, table);
         Ok(self)
@@ -120,12 +111,6 @@ impl ConfigBuilder {
         let config = self.parse().map_err(invalid)?;
         let gaussians = config.start.gaussians.min(config.densification.max_gaussians);
         self.set(&format!("start.gaussians={gaussians}"))
-    }
-
-    /// Names that were given and have changed, as sentences.
-    #[must_use]
-    pub fn notes(&self) -> &[String] {
-        &self.notes
     }
 
     /// Returns the combined settings.

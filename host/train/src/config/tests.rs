@@ -8,22 +8,6 @@ fn parse(text: &str) -> Result<TrainConfig> {
     TrainConfig::parse(text, Path::new("config.toml"))
 }
 
-/// Names that files of earlier runs have.
-#[test]
-fn settings_of_older_names_are_read_with_a_note() {
-    let builder = ConfigBuilder::new(Preset::Default).unwrap();
-    let text = "[run]\nsteps = 90\nplan = [[0, 100], [50, 90]]\n[growth]\nrate = 0.5\n";
-    let builder = builder.text(text, Path::new("config.toml")).unwrap();
-    let builder = builder.set("growth.end=0.25").unwrap();
-    let notes = builder.notes().join("; ");
-    for name in ["`densification`", "`densification.end`", "`run.schedule`"] {
-        assert!(notes.contains(name), "{notes}");
-    }
-    let config = builder.build().unwrap();
-    assert_eq!((config.densification.rate, config.densification.end), (0.5, 0.25));
-    assert_eq!(config.run.schedule.len(), 2);
-}
-
 #[test]
 fn a_file_reads_back() {
     let mut config = TrainConfig::default();

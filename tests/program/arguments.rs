@@ -202,15 +202,3 @@ fn every_command_takes_a_run_for_a_scene() {
     let bench = json("bench run data tiles.json --forward --repeat 1 --backend cpu --json");
     assert_eq!(bench["gaussians"], run["gaussians"]);
 }
-
-#[test]
-fn a_run_on_the_built_in_scene_knows_its_views() {
-    let sandbox = runs::sandbox();
-    sandbox.run(&format!("{} run --set data.built_in_views=3", runs::BUILT_IN)).assert_ok();
-    sandbox.run("render run -o held --split held-out --backend cpu").assert_ok();
-    assert_eq!(pictures(&sandbox, "held"), ["view-000.png"]);
-    sandbox.run("render run -o seen --split train --backend cpu").assert_ok();
-    assert_eq!(pictures(&sandbox, "seen"), ["view-001.png", "view-002.png"]);
-    let image = image::open(sandbox.path("seen/view-001.png")).unwrap();
-    assert_eq!((image.width(), image.height()), (16, 16));
-}

@@ -11,8 +11,6 @@ fn numbers_out_of_range() {
         (format!("{TILES} -o out --threads 0"), ["'0'", "--threads"]),
         (format!("{TILES} -o out --threads 1000000"), ["'1000000'", "--threads"]),
         (format!("{RENDER} -o out --views 99"), ["no view 99", "views 0 to 1"]),
-        (format!("{RENDER} -o out --views 0-18446744073709551615"), ["no view", "views 0 to 1"]),
-        (format!("{RENDER} -o out --views 1-0"), ["--views", "backward"]),
         (format!("{RENDER} -o out --views -1"), ["--views", "list such as"]),
         (format!("{RENDER} -o out --tile-size 0"), ["'0'", "--tile-size"]),
         (format!("{RENDER} -o out --tile-size 10000"), ["'10000'", "--tile-size"]),
@@ -78,17 +76,6 @@ fn inputs_are_not_replaced() {
     sandbox.assert_refuses(&format!("{RENDER} -o images"), &facts);
     sandbox.assert_refuses("demo -o images --backend cpu", &["0001.png", "another folder"]);
     sandbox.assert_refuses("demo -o . --backend cpu", &["scene.safetensors", "another folder"]);
-}
-
-/// After any failure, old output remains.
-#[test]
-fn failure_keeps_the_old_output() {
-    let sandbox = Sandbox::new("tiny");
-    sandbox.write("out", "old");
-    sandbox.edit_json("tiles.json", "/tiles/2/camera", 9.into());
-    sandbox.assert_refuses(&format!("{TILES} -o out"), &["tile 2"]);
-    sandbox.write("scene.safetensors", "");
-    sandbox.assert_refuses(&format!("{RENDER} -o new/er/est"), &["too few"]);
 }
 
 #[test]

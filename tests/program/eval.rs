@@ -70,13 +70,6 @@ fn the_split_selects_the_frames() {
     assert_eq!(eval(&sandbox, "--quiet").assert_ok().stderr, "");
 }
 
-/// Reduced photographs are compared with images rendered at the reduced size.
-#[test]
-fn a_smaller_size_comes_close() {
-    let found = eval(&sandbox(), "--json --downscale 2").json();
-    assert_within(&found["mean"]["psnr"], 15.0..=59.0);
-}
-
 #[test]
 fn alpha_is_put_in_front_of_the_background() {
     let sandbox = sandbox();
@@ -93,24 +86,9 @@ fn alpha_is_put_in_front_of_the_background() {
 }
 
 #[test]
-fn a_run_is_known_by_its_checkpoint() {
-    let sandbox = sandbox();
-    sandbox.make_folder("run");
-    let facts = ["run", "no checkpoint.safetensors", "scene file"];
-    assert_refuses(&sandbox, "run data", &facts);
-    sandbox.copy_file("scene.safetensors", "run/checkpoint.safetensors");
-    let words = "eval run data --backend cpu --json";
-    assert_eq!(sandbox.run(words).json(), eval(&sandbox, "--json").json());
-}
-
-#[test]
 fn bad_requests() {
     let sandbox = sandbox();
     for (words, facts) in [
-        ("scene.safetensors absent", ["absent", "no such file"]),
-        ("absent data", ["absent", "no such file"]),
-        ("data/transforms.json data", ["transforms.json", "safetensors"]),
-        ("scene.safetensors .", ["no data set", "transforms.json"]),
         ("scene.safetensors data --background 2,0,0", ["--background", "0 to 1"]),
         ("scene.safetensors data --downscale 0", ["--downscale", "'0'"]),
         ("scene.safetensors data --downscale 81", ["0000.png", "81"]),

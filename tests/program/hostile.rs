@@ -21,42 +21,27 @@ fn assert_plain(outcome: &Outcome) {
 }
 
 #[test]
-fn messages_do_not_control_the_terminal() {
+fn messages_do_not_control_the_terminal_and_are_short() {
     let sandbox = Sandbox::new("tiny");
     let run = |words: &[&str]| -> Outcome {
         let mut command = sandbox.command("");
         command.args(words).output().expect("the program starts").into()
     };
-    let cpu = ["--backend", "cpu"];
-    for words in [
-        &["info", NASTY][..],
-        &[NASTY],
-        &["render", NASTY, "cameras.json", "-o", "out"],
-        &["render", "scene.safetensors", "cameras.json", "-o", "out", "--views", NASTY],
-        &[
-            "tiles",
-            "scene.safetensors",
-            "cameras.json",
-            "tiles.json",
-            "-o",
-            "x",
-            "--threads",
-            NASTY,
-        ],
-        &["train", NASTY, "-o", "run"],
-    ] {
+    let long = NASTY.to_owned() + &"long".repeat(25_000);
+    let long = long.as_str();
+    for words in [&["info", long][..], &[long], &["render", "--views", long]] {
         let outcome = run(words);
-        outcome.assert_refused(&["\\u{202e}"]);
+        outcome.assert_refused(&["\\u{202e}", " ... "]);
         assert_plain(&outcome);
         assert!(outcome.stderr.lines().count() <= 4, "{outcome:?}");
+        assert!(outcome.stderr.len() < 4000, "{outcome:?}");
     }
     // names inside of files, also in messages of a success
     sandbox.edit_json("cameras.json", "/frames/0/file_path", json!(NASTY));
     for words in [
-        &["info", "cameras.json"][..],
-        &["info", "cameras.json", "--json"],
+        &["info", "cameras.json", "--json"][..],
         &["explain", "scene.safetensors", "cameras.json", "--pixel", "1,1"],
-        &[&["render", "scene.safetensors", "cameras.json", "-o", NASTY], &cpu[..]].concat(),
+        &["render", "scene.safetensors", "cameras.json", "-o", NASTY, "--backend", "cpu"],
     ] {
         let outcome = run(words).assert_ok();
         assert_plain(&outcome);
@@ -64,24 +49,6 @@ fn messages_do_not_control_the_terminal() {
     assert!(sandbox.path(NASTY).is_dir());
     let info = run(&["info", "cameras.json", "--json"]).json();
     assert_eq!(info["cameras"][0]["file_path"], json!(NASTY), "JSON says it all the same");
-}
-
-#[test]
-fn messages_are_short() {
-    let sandbox = Sandbox::new("tiny");
-    let long = "long".repeat(25_000);
-    let outcome: Outcome =
-        sandbox.command("info").arg(&long).output().expect("the program starts").into();
-    outcome.assert_refused(&["cannot read longlong", " ... ", "longlong: "]);
-    assert!(outcome.stderr.len() < 2000);
-    sandbox.edit_json("tiles.json", "/side", json!(vec![123_456_789; 100_000]));
-    let outcome = sandbox.run(&format!("{TILES} -o out"));
-    outcome.assert_refused(&["tiles.json", "`side` is", "1 to 4096"]);
-    assert!(outcome.stderr.len() < 2000);
-    let outcome: Outcome =
-        sandbox.command("render").args(["--views", &long]).output().unwrap().into();
-    outcome.assert_refused(&["invalid value", " ... "]);
-    assert!(outcome.stderr.len() < 4000 && outcome.stderr.lines().count() <= 4);
 }
 
 #[cfg(target_os = "linux")]

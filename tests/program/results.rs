@@ -188,20 +188,6 @@ fn distorted_lenses_are_warned_about() {
     }
 }
 
-#[test]
-fn outputs_are_replaced_whole() {
-    let sandbox = Sandbox::new("tiny");
-    sandbox.write("out.safetensors", vec![1; 100_000]);
-    sandbox.run(&format!("{TILES} -o out.safetensors")).assert_ok();
-    assert_eq!(read_tensors(sandbox.path("out.safetensors")).unwrap().len(), 1);
-    for _ in 0..2 {
-        sandbox.run(&format!("{RENDER} -o a/b/c --views 1,0,1")).assert_ok();
-    }
-    let names: Vec<_> = sandbox.files().into_keys().collect();
-    assert!(names.contains(&sandbox.path("a/b/c/0000.png")));
-    assert!(names.iter().all(|name| name.extension() != Some("tmp".as_ref())), "{names:?}");
-}
-
 /// The levels of a 16-bit PNG.
 fn levels(sandbox: &Sandbox, name: &str) -> (image::ColorType, Vec<u16>) {
     let image = image::open(sandbox.path(name)).unwrap();

@@ -163,17 +163,6 @@ fn a_killed_run_by_minutes_keeps_its_plan() {
     assert_like_whole(&sandbox, "run");
 }
 
-/// The best checkpoint belongs to the best evaluation.
-#[test]
-fn the_best_checkpoint_is_kept() {
-    let sandbox = sandbox();
-    sandbox.run(&format!("{TINY} run --steps 40")).assert_ok();
-    let scores = evaluations(&sandbox, "run").into_iter();
-    let best = scores.max_by(|a, b| a.1.total_cmp(&b.1)).expect("it is evaluated").0;
-    let kept = Checkpoint::load(sandbox.path("run").join(BEST)).expect("a checkpoint").progress;
-    assert_eq!(u64::from(kept.step), best);
-}
-
 #[test]
 fn a_run_that_is_done_stays_as_it_is() {
     let sandbox = sandbox();

@@ -24,13 +24,8 @@ fn monstrous_settings_are_refused_at_once() {
     let sandbox = sandbox();
     for (settings, facts) in [
         ("[run]\ntile_size = 512\ntiles_per_step = 1000", ["tiles of a step 5.91 GiB", "needs"]),
-        ("[run]\ntiles_per_step = 100000000", ["`run.tiles_per_step` is 100000000", "174762"]),
         ("[run]\ntiles_per_step = 4294967295\ntile_size = 1", ["`run.tiles_per_step`", "at most"]),
         ("[run]\ntiles_per_step = 700000000\ntile_size = 1", ["out of memory", "tiles of a step"]),
-        (
-            "[start]\ngaussians = 4000000000",
-            ["`start.gaussians` is 4000000000", "densification.max_gaussians"],
-        ),
         (
             "[start]\ngaussians = 4000000000\n[densification]\nmax_gaussians = 4000000000",
             ["`start.gaussians` is 4000000000", "expected 1 to"],
@@ -52,7 +47,6 @@ fn monstrous_settings_are_refused_at_once() {
         ("[scene]\nmaterial = 4294967295", ["`scene.material`", "4294967295"]),
         ("[scene]\nsh_degree = 4294967295", ["`scene.sh_degree`", "4294967295"]),
         ("[scene]\nstep = 1e-30", ["`scene.step`", "16384 samples"]),
-        ("[run]\nsteps = 99999999999999999999", ["line 2", ""]),
     ] {
         // sizes that a file leaves out have their defaults
         sandbox.write("monster.toml", settings);
@@ -71,8 +65,6 @@ fn monstrous_options_are_refused_at_once() {
     let sandbox = sandbox();
     photographs(&sandbox);
     for (words, facts) in [
-        ("train -o new --backend cpu --tiles-per-step 4294967295", ["`run.tiles_per_step`", ""]),
-        ("train -o new --backend cpu --tile-size 4294967295", ["`run.tile_size`", "1 to 512"]),
         (
             "train data -o new --backend cpu --downscale 4294967295",
             ["4294967295", "leaves nothing"],
@@ -85,8 +77,6 @@ fn monstrous_options_are_refused_at_once() {
             ],
         ),
         ("train -o new --backend cpu --steps 99999999999", ["99999999999", "--steps"]),
-        ("demo -o new --backend cpu --views 65535", ["65535", "--views"]),
-        ("eval scene.safetensors data --backend cpu --downscale 1025", ["1025", "--downscale"]),
     ] {
         let start = Instant::now();
         sandbox.assert_refuses(words, &facts);

@@ -21,7 +21,6 @@ if not os.path.isabs(os.environ.get("XDG_RUNTIME_DIR", "")) and not _asks:
 from ._organza import DeviceScene, Error, Scene, Tape, __version__
 from ._cameras import Cameras, Tiles
 from ._data import Dataset, load_dataset
-from ._film import film
 from ._images import Images
 from ._metrics import psnr, ssim
 from ._renderer import Renderer, parity
@@ -46,7 +45,6 @@ __all__ = [
     "Training",
     "__version__",
     "export",
-    "film",
     "import_splats",
     "load_dataset",
     "parity",

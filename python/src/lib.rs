@@ -4,7 +4,6 @@
 mod cameras;
 mod data;
 mod error;
-mod film;
 mod job;
 mod metrics;
 mod ranks;
@@ -32,7 +31,6 @@ fn _organza(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(renderer::parity, module)?)?;
     module.add_function(wrap_pyfunction!(metrics::psnr, module)?)?;
     module.add_function(wrap_pyfunction!(metrics::ssim, module)?)?;
-    module.add_function(wrap_pyfunction!(film::film, module)?)?;
     module.add_function(wrap_pyfunction!(splats::export, module)?)?;
     module.add_function(wrap_pyfunction!(splats::import_splats, module)?)
 }

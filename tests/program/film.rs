@@ -38,33 +38,6 @@ fn a_film_begins_and_ends_at_its_keys() {
     assert!(difference(&key("0000.png"), &frame("00001.png")) <= 1);
 }
 
-/// Before it is rendered, and only where there is an ffmpeg.
-#[cfg(unix)]
-#[test]
-fn a_large_animated_png_has_a_smaller_way() {
-    let sandbox = Sandbox::new("tiny");
-    sandbox
-        .shell("mkdir bin && printf '#!/bin/sh\n' > bin/ffmpeg && chmod +x bin/ffmpeg")
-        .assert_ok();
-    let first = |path: &str, size: &str| {
-        let mut command = sandbox.command(&format!("{FILM} -o new.png --size {size}"));
-        let command = command.env("PATH", path).stderr(Stdio::piped());
-        let mut film = command.spawn().expect("the program starts");
-        let stderr = BufReader::new(film.stderr.take().expect("it is piped"));
-        let line = stderr.lines().next().expect("a line").unwrap();
-        film.kill().unwrap();
-        film.wait().unwrap();
-        line
-    };
-    let bin = sandbox.path("bin");
-    let bin = bin.to_str().expect("UTF-8");
-    let said = first(bin, "512x512");
-    assert!(said.contains("`-o new.mp4` takes few"), "{said}");
-    for (path, size) in [("/nowhere", "512x512"), (bin, "64x64")] {
-        assert_eq!(first(path, size).split(',').next(), Some("CPU"));
-    }
-}
-
 #[test]
 fn an_animated_png_has_the_frames_and_their_pace() {
     let sandbox = Sandbox::new("tiny");

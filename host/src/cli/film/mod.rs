@@ -28,8 +28,6 @@ const PROBES: usize = 5;
 const PROBE_SHRINK: u32 = 4;
 /// Part of the depths that the range leaves out at each end.
 const LEFT_OUT: f64 = 0.01;
-/// Number of pixels from which an animated PNG is large: it has about half a byte for each.
-const LARGE: u64 = 10_000_000;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -116,14 +114,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let path = args.path.frames(&inputs, args.frames as usize, kind == FilmKind::Mp4, console)?;
     let size @ [width, height] = [path.frames[0].width, path.frames[0].height];
     kind.check(size)?;
-    let pixels = path.frames.len() as u64 * u64::from(width) * u64::from(height);
-    if kind == FilmKind::Png && pixels > LARGE && FilmKind::Mp4.check(size).is_ok() {
-        let mp4 = args.output.with_extension("mp4");
-        console.note(&format!(
-            "an animated PNG loses nothing, and takes many megabytes; `-o {}` takes few, and ffmpeg is there",
-            mp4.display()
-        ));
-    }
     Image::check_memory(width, height)?;
     ChannelImage::check_memory(channel.as_slice(), width, height)?;
     if kind != FilmKind::Frames {

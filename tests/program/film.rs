@@ -1,8 +1,7 @@
 //! Films: their frames, their files, and interruptions.
 
 use std::fs;
-use std::io::{BufRead, BufReader};
-use std::process::Stdio;
+use std::io::BufReader;
 
 use image::{AnimationDecoder, RgbImage};
 

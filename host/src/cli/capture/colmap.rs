@@ -126,16 +126,9 @@ impl<'a> Colmap<'a> {
         Ok(Some(Reconstruction { model, joined }))
     }
 
-    /// A command of COLMAP.
-    fn call(&self, name: &str) -> Result<Call> {
-        let mut colmap = command("colmap");
-        colmap.arg(name);
-        self.job.programs.call(colmap, &[name, "-h"])
-    }
-
     /// A command of COLMAP on the database.
     fn on_database(&self, name: &str) -> Result<Call> {
-        let mut colmap = self.call(name)?;
+        let mut colmap = self.job.programs.colmap(name)?;
         colmap.option("--database_path", self.job.path(DATABASE));
         Ok(colmap)
     }
@@ -253,7 +246,7 @@ impl<'a> Colmap<'a> {
             let path = sparse.join(name);
             fs::write(&path, text).map_err(|source| Error::write(&path, source))?;
         }
-        let mut colmap = self.call("model_converter")?;
+        let mut colmap = self.job.programs.colmap("model_converter")?;
         colmap.option("--input_path", found);
         colmap.option("--output_path", sparse.join("points3D.ply"));
         colmap.option("--output_type", "PLY");
@@ -261,7 +254,7 @@ impl<'a> Colmap<'a> {
     }
 
     fn undistort(&self, model: &Path, folder: &Path) -> Result<()> {
-        let mut colmap = self.call("image_undistorter")?;
+        let mut colmap = self.job.programs.colmap("image_undistorter")?;
         colmap.option("--image_path", self.job.path(IMAGES));
         colmap.option("--input_path", model);
         colmap.option("--output_path", folder);

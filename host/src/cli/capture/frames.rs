@@ -4,13 +4,14 @@ use std::collections::HashSet;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use organza::data::panorama::{self, FACES, HEADINGS, PanoramaView, panorama_of};
 use organza::data::{Frame, photograph_size, upright};
 use organza::{Camera, Error, Result};
 
 use super::CaptureJob;
-use super::programs::{Call, command, output};
+use super::programs::{command, output};
 use super::source::{Photograph, Source, sort_naturally};
 use crate::cli::summary::count;
 use crate::cli::{absolute, refuse};
@@ -152,12 +153,11 @@ impl CaptureJob<'_> {
         let select: Vec<_> = chosen.iter().map(|frame| format!("eq(n,{frame})")).collect();
         let colors = self.colors(video, seen.transfer.as_deref())?;
         let [width, height] = shape.fit(self.args.side, self.args.camera_model.is_none());
-        let mut ffmpeg = self.ffmpeg(video, "error")?;
+        let mut ffmpeg = ffmpeg(video, "error");
         let filters = format!("select='{}',{colors}scale={width}:{height}", select.join("+"));
-        ffmpeg.command.arg("-vf").arg(filters);
-        ffmpeg.option("-fps_mode", "passthrough");
+        ffmpeg.arg("-vf").arg(filters).args(["-fps_mode", "passthrough"]);
         // a folder's own name may have a percent sign
-        ffmpeg.command.current_dir(folder).arg("%05d.png");
+        ffmpeg.current_dir(folder).arg("%05d.png");
         self.console.during("writing frames", || self.programs.run(ffmpeg, |_| {}))?;
         // ffmpeg counts what it writes. A name says which frame of the video it is.
         for (written, frame) in chosen.iter().enumerate() {
@@ -171,10 +171,9 @@ impl CaptureJob<'_> {
     /// Looks at each frame of a video.
     fn look(&self, video: &Path) -> Result<VideoStats> {
         let [width, height] = PROBE;
-        let mut ffmpeg = self.ffmpeg(video, "level+info")?;
-        ffmpeg.command.arg("-vf").arg(format!("showinfo=checksum=0,scale={width}:{height}"));
-        ffmpeg.option("-fps_mode", "passthrough");
-        ffmpeg.command.args(["-pix_fmt", "gray", "-f", "rawvideo", "-"]);
+        let mut ffmpeg = ffmpeg(video, "level+info");
+        ffmpeg.arg("-vf").arg(format!("showinfo=checksum=0,scale={width}:{height}"));
+        ffmpeg.args(["-fps_mode", "passthrough", "-pix_fmt", "gray", "-f", "rawvideo", "-"]);
         let VideoStats { mut sharpness, mut shapes, mut transfer } = VideoStats::default();
         let look = |gray: &[u8]| sharpness.push(sharpness_of(gray, width));
         let hear = |line: &str| {
@@ -208,18 +207,18 @@ impl CaptureJob<'_> {
         ));
         Ok("")
     }
+}
 
-    /// ffmpeg, reading the first stream of a video that is no cover picture. It prints messages of one level.
-    fn ffmpeg(&self, video: &Path, level: &str) -> Result<Call> {
-        let mut ffmpeg = command("ffmpeg");
-        // A name such as `-x` or `http:x` is a file's, too.
-        let mut name = OsString::from("file:");
-        name.push(absolute(video));
-        ffmpeg.args(["-v", level, "-hide_banner", "-nostats", "-nostdin", "-y"]);
-        // A filter that begins again where the size changes would count frames from 0.
-        ffmpeg.args(["-reinit_filter", "0", "-i"]).arg(name).args(["-map", "0:V:0"]);
-        self.programs.call(ffmpeg, &["-hide_banner", "-h", "long"])
-    }
+/// ffmpeg, 5.1 or later, reading the first stream of a video that is no cover picture. It prints messages of one level.
+fn ffmpeg(video: &Path, level: &str) -> Command {
+    let mut ffmpeg = command("ffmpeg");
+    // A name such as `-x` or `http:x` is a file's, too.
+    let mut name = OsString::from("file:");
+    name.push(absolute(video));
+    ffmpeg.args(["-v", level, "-hide_banner", "-nostats", "-nostdin", "-y"]);
+    // A filter that begins again where the size changes would count frames from 0.
+    ffmpeg.args(["-reinit_filter", "0", "-i"]).arg(name).args(["-map", "0:V:0"]);
+    ffmpeg
 }
 
 impl Shape {

@@ -38,9 +38,7 @@ pub const COLMAP: Needed = Needed {
 };
 
 /// Options that have had another name. The newest is first, and a comment says since when.
-const RENAMED: [[&str; 2]; 4] = [
-    // ffmpeg 5.1; 9 knows only this one
-    ["-fps_mode", "-vsync"],
+const RENAMED: [[&str; 2]; 3] = [
     // COLMAP 3.13
     ["--FeatureExtraction.use_gpu", "--SiftExtraction.use_gpu"],
     ["--FeatureMatching.use_gpu", "--SiftMatching.use_gpu"],
@@ -60,9 +58,9 @@ pub struct Programs<'a> {
     console: Console,
 }
 
-/// A command of a program, with options as the installed version names them.
+/// A command of COLMAP, with options as the installed version names them.
 pub struct Call {
-    pub command: Command,
+    command: Command,
     /// What the command's help says.
     help: String,
     console: Console,
@@ -136,20 +134,25 @@ impl Call {
             Some(name) => {
                 self.command.arg(name).arg(value);
             }
-            None => self.console.warn(&format!(
-                "{} has no option `{name}`, so it is left out",
-                self.command.get_program().display()
-            )),
+            None => {
+                self.console.warn(&format!("colmap has no option `{name}`, so it is left out"))
+            }
         }
     }
+}
 
-    /// Starts the program, whose output is piped. Returns its name, too.
-    fn spawn(mut self) -> Result<(String, Child)> {
-        let name = self.command.get_program().to_string_lossy().into_owned();
-        match self.command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn() {
-            Ok(child) => Ok((name, child)),
-            Err(error) => refuse(format!("cannot run {name}: {error}")),
-        }
+impl From<Call> for Command {
+    fn from(call: Call) -> Self {
+        call.command
+    }
+}
+
+/// Starts a program, whose output is piped. Returns its name, too.
+fn spawn(mut command: Command) -> Result<(String, Child)> {
+    let name = command.get_program().to_string_lossy().into_owned();
+    match command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn() {
+        Ok(child) => Ok((name, child)),
+        Err(error) => refuse(format!("cannot run {name}: {error}")),
     }
 }
 
@@ -169,9 +172,11 @@ impl<'a> Programs<'a> {
         Self { log: work.join("log.txt"), stop, console }
     }
 
-    /// A command whose options are in the help that the program prints with these arguments.
-    pub fn call(&self, command: Command, help: &[&str]) -> Result<Call> {
-        let help = output(self::command(&command.get_program().to_string_lossy()).args(help))?;
+    /// A command of COLMAP, which has a help of its own.
+    pub fn colmap(&self, name: &str) -> Result<Call> {
+        let help = output(command("colmap").args([name, "-h"]))?;
+        let mut command = command("colmap");
+        command.arg(name);
         Ok(Call { command, help, console: self.console })
     }
 
@@ -184,8 +189,8 @@ impl<'a> Programs<'a> {
     }
 
     /// Runs a program to its end. `on_line` gets each line that it prints.
-    pub fn run(&self, call: Call, mut on_line: impl FnMut(&str)) -> Result<()> {
-        let (name, mut child) = call.spawn()?;
+    pub fn run(&self, call: impl Into<Command>, mut on_line: impl FnMut(&str)) -> Result<()> {
+        let (name, mut child) = spawn(call.into())?;
         let (sender, lines) = mpsc::channel();
         read_lines(child.stdout.take().expect("it is piped"), sender.clone());
         read_lines(child.stderr.take().expect("it is piped"), sender);
@@ -222,12 +227,12 @@ impl<'a> Programs<'a> {
     /// Runs a program, and passes what it writes to stdout, in pieces of `size` bytes. `on_line` gets the lines of stderr.
     pub fn read(
         &self,
-        call: Call,
+        command: Command,
         size: usize,
         mut on_piece: impl FnMut(&[u8]),
         mut on_line: impl FnMut(&str),
     ) -> Result<()> {
-        let (name, mut child) = call.spawn()?;
+        let (name, mut child) = spawn(command)?;
         let (sender, lines) = mpsc::channel();
         let mut error = None;
         let mut hear = |line: String| {

@@ -1,9 +1,8 @@
 //! The source of a capture: a video, or photographs, which are known by their content.
 
 use std::collections::HashMap;
-use std::fs::{self, File};
-use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use organza::data::{equal_pairs, there_twice};
 use organza::{Error, Result};
@@ -20,9 +19,6 @@ use crate::cli::summary::count;
 
 /// How deep photographs are looked for in a folder: a camera's are in `DCIM/100APPLE`.
 const DEPTH: usize = 3;
-/// Parts of a video that stand for its content, and the bytes of each: reading gigabytes would take long.
-const PARTS: u64 = 256;
-const PART: u64 = 1 << 16;
 /// Digits to which a number in a name is filled up to compare it.
 const DIGITS: usize = 32;
 
@@ -168,11 +164,8 @@ impl<'a> Source<'a> {
         let mut hash = Sha256::new();
         match self {
             Self::Video(path) => {
-                let (mut file, length) = open_regular(path)?;
-                hash.update(length.to_le_bytes());
-                for part in parts(&mut file, length) {
-                    hash.update(part.map_err(|source| Error::read(path, source))?);
-                }
+                let (mut file, _) = open_regular(path)?;
+                io::copy(&mut file, &mut hash).map_err(|source| Error::read(path, source))?;
             }
             Self::Photographs(photographs) => {
                 for Photograph { name, digest, .. } in photographs {
@@ -270,18 +263,6 @@ fn name_of(path: &Path) -> String {
 /// Whether a file's name has a photograph's ending.
 fn is_photograph(path: &Path) -> bool {
     has_extension(path, &["jpg", "jpeg", "png"])
-}
-
-/// Parts of a file that are spread evenly over it, and its end; all of a small one.
-fn parts(file: &mut File, length: u64) -> impl Iterator<Item = std::io::Result<Vec<u8>>> {
-    let step = (length / PARTS).max(PART);
-    let last = length.saturating_sub(PART);
-    (0..last).step_by(step as usize).chain([last]).map(move |begin| {
-        let mut part = Vec::new();
-        file.seek(SeekFrom::Start(begin))?;
-        Read::by_ref(file).take(PART).read_to_end(&mut part)?;
-        Ok(part)
-    })
 }
 
 #[cfg(test)]

@@ -198,7 +198,6 @@ case $step in
     feature_extractor) [ ! -e broken ] || exit 1 ;;
     mapper) cp -r found-$(grep -c ^mapper calls.txt)/* "$output" ;;
     image_undistorter) cp -r "$images" "$output/images" && cp -r "$input" "$output/sparse" ;;
-    model_converter) cp points.ply "$output" ;;
 esac
 "#;
 
@@ -231,17 +230,16 @@ esac
 "#;
 
 /// Options that ffmpeg 5.1 to 9.0 and COLMAP 3.8 to 4.1 know, by their sources and helps.
-const KNOWN: [(&str, &str); 7] = [
+const KNOWN: [(&str, &str); 6] = [
     ("", "-v -hide_banner -nostats -nostdin -y -reinit_filter -i -map -vf -fps_mode -pix_fmt -f"),
     (
         "feature_extractor ",
-        "--database_path --image_path --ImageReader.single_camera --ImageReader.camera_model --ImageReader.camera_params \
+        "--database_path --image_path --ImageReader.single_camera --ImageReader.camera_model \
          --SiftExtraction.max_num_features",
     ),
     ("exhaustive_matcher ", "--database_path --ExhaustiveMatching.block_size"),
     ("sequential_matcher ", "--database_path --SequentialMatching.overlap"),
-    ("mapper ", "--database_path --image_path --output_path --Mapper.ba_refine_focal_length"),
-    ("model_converter ", "--input_path --output_path --output_type"),
+    ("mapper ", "--database_path --image_path --output_path"),
     (
         "image_undistorter ",
         "--image_path --input_path --output_path --output_type --max_image_size",
@@ -331,9 +329,6 @@ fn with_programs() -> Sandbox {
     }
     sandbox.write("bin/colmap", COLMAP);
     sandbox.write("bin/ffmpeg", FFMPEG);
-    let head = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n";
-    let cloud = format!("{head}property float z\nend_header\n0 0 0.5\n");
-    sandbox.write("points.ply", cloud);
     sandbox.shell("chmod +x bin/*").assert_ok();
     write_known(&sandbox, VERSIONS[2]);
     for (photo, name) in photos(12).enumerate() {
@@ -367,25 +362,22 @@ fn called(sandbox: &Sandbox) -> String {
 #[test]
 #[ignore = "takes ffmpeg; .ci/nightly runs it"]
 fn frames_keep_the_shape_of_their_video() {
-    // The third film has pixels that are 4/3 as wide as high, and the last one is a panorama.
+    // The third film has pixels that are 4/3 as wide as high.
     let films = [
-        ("640x360", "1", "png", [301, 169]),
-        ("360x640", "1", "png", [169, 301]),
-        ("240x180", "4/3", "png", [301, 169]),
-        ("640x640", "1", "png", [301, 301]),
-        ("90x60", "1", "png", [90, 60]),
-        ("1600x800", "1", "000.png", [301, 301]),
+        ("640x360", "1", [301, 169]),
+        ("360x640", "1", [169, 301]),
+        ("240x180", "4/3", [301, 169]),
+        ("640x640", "1", [301, 301]),
+        ("90x60", "1", [90, 60]),
     ];
-    for (size, shape, ending, expected) in films {
+    for (size, shape, expected) in films {
         let sandbox = with_programs();
         sandbox.remove("bin/ffmpeg");
         let film = format!("testsrc=size={size}:rate=1:duration=3 -vf setsar={shape} film.mp4");
         sandbox.shell(&format!("ffmpeg -v error -f lavfi -i {film}")).assert_ok();
-        let names = (0..3).map(|frame| format!("frame-{frame:06}.{ending}"));
-        write_model(&sandbox, "found-1/0", &walk(names.clone()), 0.7, 20);
+        write_model(&sandbox, "found-1/0", &walk(frames(0..3)), 0.7, 20);
         capture(&sandbox, "film.mp4 -o data --side 301").assert_ok();
-        for name in names {
-            let name = name.replace(".000.png", ".up.png");
+        for name in frames(0..3) {
             let found = image::image_dimensions(sandbox.path("data/images").join(name)).unwrap();
             assert_eq!([found.0, found.1], expected, "{film}");
         }
@@ -404,18 +396,6 @@ fn each_version_of_colmap_is_asked_for_its_options() {
         let found = format!("with ffmpeg 5.1.9-0+deb12u1 and colmap {colmap}");
         let outcome = capture(&sandbox, "film.mp4 -o data").assert_ok();
         outcome.says(&[&found, "60 of 60"]).says_not(&["warning"]);
-
-        for (photo, name) in photos(3).enumerate() {
-            write_photo(&sandbox, &format!("round/{name}"), [64, 32], photo);
-        }
-        let views = photos(3).flat_map(|name| {
-            ["000", "045"].map(|view| name.replace("png", &format!("{view}.png")))
-        });
-        write_model(&sandbox, "found-1/0", &walk(views), 0.7, 20);
-        capture(&sandbox, "round -o round-data")
-            .assert_ok()
-            .says(&[&format!("with colmap {colmap}")])
-            .says_not(&["no option"]);
     }
     // A version that nobody has seen yet.
     let sandbox = with_programs();
@@ -628,56 +608,15 @@ fn neighbors_alone_are_not_the_last_word() {
 }
 
 #[test]
-fn panoramas_become_views_of_a_known_lens() {
+fn a_fisheyes_photographs_stay_as_they_are_and_panoramas_are_warned_about() {
     let sandbox = with_programs();
-    for (photo, name) in photos(9).enumerate() {
-        write_photo(&sandbox, &format!("photos/{name}"), [64, 32], photo);
-    }
-    sandbox.shell("rm photos/09.png photos/1*.png").assert_ok();
-    // A person hides the other half.
-    let sides = |name: String| {
-        ["000", "045", "180", "225"].map(|view| name.replace("png", &format!("{view}.png")))
-    };
-    let views =
-        |PosedImage { name, eye, focal }| sides(name).map(|name| PosedImage { name, eye, focal });
-    let found: Vec<_> = walk(photos(9)).into_iter().flat_map(views).collect();
-    write_model(&sandbox, "found-1/0", &found, 0.7, 20);
-    let outcome = capture(&sandbox, "photos -o data").assert_ok();
-    let words =
-        ["9 images twice as wide as high", "`--camera-model`", "72 of 72 images have a pose"];
-    outcome.says(&words).says_not(&["no pose", "have a pose, so each", "apart"]);
-    let calls = called(&sandbox);
-    for call in ["camera_params 10,10,10", "model SIMPLE_PINHOLE", "focal_length 0"] {
-        assert!(calls.contains(call), "no `{call}`: {calls}");
-    }
-    let view = image::open(sandbox.path("data/images/08.up.png")).unwrap();
-    assert_eq!([view.width(), view.height()], [20, 20]);
-    let poses = Poses::load(&sandbox.path("data"), &DatasetOptions::default()).unwrap();
-    let poses = poses.cameras().unwrap();
-    let held_out = poses.iter().filter(|pose| pose.held_out);
-    let names: Vec<_> = held_out.filter_map(|pose| pose.camera.file_path.clone()).collect();
-    let all = ["back", "down", "front", "left", "right", "up"];
-    let views = |photo| all.map(|view| format!("{photo}.{view}.png"));
-    assert_eq!(names, [views("00"), views("08")].concat());
-    let eyes: Vec<_> = poses.iter().map(|pose| DVec3::from(pose.camera.eye())).collect();
-    assert!(eyes.chunks(6).all(|eyes| eyes.iter().all(|eye| eye.distance(eyes[0]) < 1e-9)));
-    assert!(eyes[0].distance(eyes[6]) > 0.1);
-
-    // COLMAP may find each view at a place of its own.
-    write_model(&sandbox, "found-1/0", &walk(photos(9).flat_map(sides)), 0.7, 20);
-    capture(&sandbox, "photos -o torn")
-        .assert_ok()
-        .says(&["stand apart: 00.000.png, ", "next: mend"])
-        .says_not(&["organza train"]);
-
-    // They may be flat photographs of that shape.
-    capture(&sandbox, "photos -o flat --camera-model OPENCV")
-        .assert_ok()
-        .says_not(&["twice as wide"]);
-    assert!(sandbox.path("flat/images/08.png").exists());
-    // A fisheye's photographs stay as they are: organza cuts them when it reads them.
-    write_model(&sandbox, "found-1/0", &walk(photos(9)), 0.7, 20);
-    capture(&sandbox, "photos -o fisheye --camera-model OPENCV_FISHEYE").assert_ok();
+    write_photo(&sandbox, "photos/03.png", [64, 32], 3);
+    write_model(&sandbox, "found-1/0", &walk(photos(12)), 0.7, 20);
+    let warning = ["1 image twice as wide as high", "into flat views first"];
+    capture(&sandbox, "photos -o data").assert_ok().says(&warning);
+    // organza cuts them when it reads them
+    let words = "photos -o fisheye --camera-model OPENCV_FISHEYE";
+    capture(&sandbox, words).assert_ok().says_not(&["twice as wide"]);
     let calls = called(&sandbox);
     assert!(!calls.contains("undistorter"), "{calls}");
     assert!(sandbox.path("fisheye/sparse/0/cameras.txt").exists());
@@ -705,7 +644,7 @@ fn photographs_that_are_to_be_shown_turned_are_turned() {
     capture(&sandbox, "photos -o data")
         .assert_ok()
         .says(&["3 of 3 images have a pose"])
-        .says_not(&["panorama"]);
+        .says_not(&["panoramas"]);
     for name in names {
         let reader = ImageReader::open(sandbox.path("data/images").join(name)).unwrap();
         let mut decoder = reader.into_decoder().unwrap();

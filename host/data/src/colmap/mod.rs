@@ -9,7 +9,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::lens::Lens;
-use super::panorama::{FACES, panorama_of};
 use super::{DatasetKind, Point, Poses, find, ply};
 use model::{Image, Intrinsics};
 use organza_core::error::invalid;
@@ -164,14 +163,8 @@ pub(super) fn list(poses: &mut Poses, model: &Model) -> Result<()> {
     poses.kind = DatasetKind::Colmap;
     poses.notes.extend(model.note());
     let (cameras, points, file) = read(model)?;
-    let mut position = 0;
-    let mut last = None;
-    for (camera, lens) in cameras {
+    for (position, (camera, lens)) in cameras.into_iter().enumerate() {
         let name = camera.file_path.clone().unwrap_or_default();
-        // views of one panorama count once, so that they leave together
-        let whole = Some(panorama_of(&name, &FACES).unwrap_or(&name).to_owned());
-        position += usize::from(last.is_some() && last != whole);
-        last = whole;
         let photograph = |name: &str| find::photograph(folder, name, None, downscale);
         let in_images = photograph(&format!("images/{name}"));
         match in_images.or_else(|expected| photograph(&name).map_err(|_| expected)) {

@@ -1,12 +1,11 @@
 //! Panoramas and wide fisheyes, cut into pinhole views. Their pixels are painted with the directions that they show, by
 //! formulas of their own.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::PI;
 
 use glam::{DMat3, DVec3};
 
 use super::*;
-use crate::panorama::{self, FACES, HEADINGS};
 
 /// A turned camera, at (5, -2, 1).
 fn pose() -> ([[f64; 4]; 4], DMat3) {
@@ -185,50 +184,4 @@ fn panoramas_leave_whole_and_views_may_be_hidden() {
     assert_eq!((dataset.train[4], dataset.masked), (11, 6));
     let file = folder.path().join("transforms.json");
     assert_facts(Camera::load_all(file), &["transforms.json", "frame 0", "name its folder"]);
-}
-
-#[test]
-fn views_that_were_found_one_by_one_join_at_one_place() {
-    let size = [48, 24];
-    let folder = folder(&panoramas(2, size), size, |[x, y]| DVec3::new(x, y, 9.0));
-    let frames = load(folder.path()).unwrap().frames;
-    let mut truth: Vec<_> = frames.into_iter().map(|frame| frame.camera).collect();
-    truth.sort_by(|a, b| a.file_path.cmp(&b.file_path));
-    // Headings are found, and faces are wanted. Every second heading looks to a side of the cube.
-    let faces = ["front", "right", "back", "left"];
-    let heading = |panorama: usize, side: usize| {
-        let name = format!("images/{panorama}.{}.png", faces[side]);
-        let face = truth.iter().find(|camera| camera.file_path.as_ref() == Some(&name)).unwrap();
-        let name = format!("images/{panorama}.{:03}.png", 90 * side);
-        Camera { file_path: Some(name), ..face.clone() }
-    };
-    // In the first panorama, one view has a wrong place and direction, and the others are a little off. The second panorama
-    // has only one view.
-    let mut found: Vec<_> = (0..4).map(|side| heading(0, side)).collect();
-    for (view, off) in found.iter_mut().zip([-1e-3, -2e-3, 2e-3]) {
-        let (sin, cos) = f64::sin_cos(off);
-        let turned =
-            |[x, y, z, place]: [f64; 4]| [cos * x - sin * y, sin * x + cos * y, z, place + off];
-        view.camera_to_world = view.camera_to_world.map(turned);
-    }
-    found[3].camera_to_world = found[0].camera_to_world;
-    found[3].camera_to_world[1][3] = 70.0;
-    found.push(heading(1, 2));
-    let joined = panorama::join(&found, &FACES);
-    assert_eq!(joined.len(), 12);
-    for (camera, truth) in joined.iter().zip(&truth) {
-        assert_eq!(camera.file_path, truth.file_path);
-        let [found, truth] = [camera, truth].map(|camera| camera.camera_to_world.as_flattened());
-        let off = found.iter().zip(truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(off < 2.1e-3, "{off}: {camera:?}");
-        camera.validate(0).unwrap();
-    }
-    assert!(joined[..6].iter().all(|camera| camera.eye() == joined[0].eye()));
-    // The headings are 45 degrees apart, and the faces between them.
-    let headings = panorama::join(&found, &HEADINGS);
-    assert_eq!(headings.len(), 16);
-    for pair in headings.chunks(8).flat_map(|panorama| panorama.windows(2)) {
-        let [a, b] = [0, 1].map(|at| pair[at].axes()[2]);
-        assert!((a.dot(b) - FRAC_1_SQRT_2).abs() < 1e-9, "{:?}", pair[0].file_path);
-    }
 }

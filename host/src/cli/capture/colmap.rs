@@ -1,13 +1,10 @@
 //! The poses of images: COLMAP's features, matches, model and undistorted images.
 
-use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use muslin::glam::{DQuat, DVec3};
-use organza::data::panorama::{self, FACES, HEADINGS, panorama_of};
 use organza::data::{SparseModel, photograph_size};
-use organza::{Camera, Error, Result};
+use organza::{Error, Result};
 
 use super::frames::{IMAGES, copy};
 use super::judge::Judgment;
@@ -48,17 +45,8 @@ pub struct Colmap<'a> {
     images: usize,
     /// Width and height of the images; `None` if they differ.
     size: Option<[u32; 2]>,
-    /// Whether the images are views of panoramas, so that their lens is known.
-    are_views: bool,
     /// Whether it was built with CUDA. Without it, features on a GPU need a display.
     has_cuda: bool,
-}
-
-/// What COLMAP found.
-struct Reconstruction {
-    model: SparseModel,
-    /// Its cameras, with one place for the views of a panorama: COLMAP does not know that they share it.
-    joined: Vec<Camera>,
 }
 
 impl<'a> Colmap<'a> {
@@ -66,9 +54,7 @@ impl<'a> Colmap<'a> {
         let help = output(command("colmap").arg("help"))?;
         let has_cuda = help.contains("with CUDA");
         let size = one_size(&job.path(IMAGES), images)?;
-        let are_views =
-            size.is_some() && images.iter().all(|name| panorama_of(name, &HEADINGS).is_some());
-        Ok(Self { job, is_video, images: images.len(), size, are_views, has_cuda })
+        Ok(Self { job, is_video, images: images.len(), size, has_cuda })
     }
 
     /// Finds the poses of all images, undistorts these, and judges the poses.
@@ -77,7 +63,7 @@ impl<'a> Colmap<'a> {
         job.step(FEATURES, |_| self.extract())?;
         let mut matcher = job.args.matcher.unwrap_or_else(|| self.matcher());
         let mut found = self.model(0, matcher)?;
-        let posed = found.as_ref().map_or(0, |found| found.joined.len());
+        let posed = found.as_ref().map_or(0, |found| found.cameras.len());
         let is_choice = job.args.matcher.is_none() && matcher == Matcher::Sequential;
         let images = self.images;
         if is_choice && images <= SOME && (posed as f64) < ENOUGH * images as f64 {
@@ -86,9 +72,9 @@ impl<'a> Colmap<'a> {
             ));
             matcher = Matcher::Exhaustive;
             let other = self.model(1, matcher)?;
-            found = found.into_iter().chain(other).max_by_key(|found| found.model.cameras.len());
+            found = found.into_iter().chain(other).max_by_key(|found| found.cameras.len());
         }
-        let Some(Reconstruction { model, joined }) = found else {
+        let Some(model) = found else {
             return refuse(format!(
                 "COLMAP found no poses for these images. They need texture, sharpness, and much in common with their \
                  neighbors, from different places: walk around the scene, slowly. The whole output of COLMAP is in {}",
@@ -96,34 +82,26 @@ impl<'a> Colmap<'a> {
             ));
         };
         let is_fisheye = job.args.camera_model.as_deref() == Some("OPENCV_FISHEYE");
-        job.step(UNDISTORTED, |folder| match self.are_views || is_fisheye {
+        job.step(UNDISTORTED, |folder| match is_fisheye {
             true => self.keep(&model, folder),
             false => self.undistort(&model.folder, folder),
         })?;
-        Ok(Judgment::new(names, &model, &joined, matcher == Matcher::Exhaustive))
+        Ok(Judgment::new(names, &model, matcher == Matcher::Exhaustive))
     }
 
     /// The matcher that suits the images.
     fn matcher(&self) -> Matcher {
-        // Panoramas are few places, and views of one place hardly need all others.
-        match self.images <= if self.is_video || self.are_views { FEW } else { SOME } {
+        match self.images <= if self.is_video { FEW } else { SOME } {
             true => Matcher::Exhaustive,
             false => Matcher::Sequential,
         }
     }
 
     /// The largest model of an attempt.
-    fn model(&self, attempt: usize, matcher: Matcher) -> Result<Option<Reconstruction>> {
+    fn model(&self, attempt: usize, matcher: Matcher) -> Result<Option<SparseModel>> {
         self.job.step(MATCHES[attempt], |_| self.compare(matcher))?;
         self.job.step(MODELS[attempt], |folder| self.map(folder))?;
-        let Some(model) = SparseModel::largest(&self.job.path(MODELS[attempt]))? else {
-            return Ok(None);
-        };
-        let joined = match self.are_views {
-            true => panorama::join(&model.cameras, &HEADINGS),
-            false => model.cameras.clone(),
-        };
-        Ok(Some(Reconstruction { model, joined }))
+        SparseModel::largest(&self.job.path(MODELS[attempt]))
     }
 
     /// A command of COLMAP on the database.
@@ -144,17 +122,8 @@ impl<'a> Colmap<'a> {
         // A camera keeps its lens, and photographs of one size are of one camera.
         let is_single = self.is_video || self.size.is_some();
         colmap.option("--ImageReader.single_camera", if is_single { "1" } else { "0" });
-        let model = match self.size {
-            Some([side, _]) if self.are_views => {
-                // A face of a cube sees 90 degrees.
-                let half = f64::from(side) / 2.0;
-                let parameters = format!("{half},{half},{half}");
-                colmap.option("--ImageReader.camera_params", parameters);
-                "SIMPLE_PINHOLE"
-            }
-            _ if self.images <= FEW || !is_single => "SIMPLE_RADIAL",
-            _ => "OPENCV",
-        };
+        let is_simple = self.images <= FEW || !is_single;
+        let model = if is_simple { "SIMPLE_RADIAL" } else { "OPENCV" };
         let model = self.job.args.camera_model.as_deref().unwrap_or(model);
         colmap.option("--ImageReader.camera_model", model);
         colmap.option("--FeatureExtraction.max_image_size", self.job.args.side.to_string());
@@ -194,7 +163,6 @@ impl<'a> Colmap<'a> {
         let mut colmap = self.on_database("mapper")?;
         colmap.option("--image_path", self.job.path(IMAGES));
         colmap.option("--output_path", folder);
-        colmap.option("--Mapper.ba_refine_focal_length", if self.are_views { "0" } else { "1" });
         let progress = self.job.console.progress("finding poses", self.images, "images");
         // COLMAP begins again where it finds few, and keeps the largest model.
         let mut max = 0;
@@ -210,16 +178,11 @@ impl<'a> Colmap<'a> {
         if finds_nothing { Ok(()) } else { result }
     }
 
-    /// Keeps images as they are: views have no distortion, and no plane holds a fisheye's.
+    /// Keeps images as they are: no plane holds a fisheye's.
     fn keep(&self, model: &SparseModel, folder: &Path) -> Result<()> {
         let [images, sparse] = ["images", "sparse"].map(|name| folder.join(name));
         for path in [&images, &sparse] {
             fs::create_dir(path).map_err(|source| Error::write(path, source))?;
-        }
-        if self.are_views {
-            let faces = panorama::join(&model.cameras, &FACES);
-            self.write_views(&faces, &model.folder, &sparse)?;
-            return self.job.cut_faces(&faces, &images);
         }
         let names = model.cameras.iter().filter_map(|camera| camera.file_path.as_deref());
         let files: Vec<_> = names.map(|name| self.job.path(IMAGES).join(name)).collect();
@@ -227,30 +190,6 @@ impl<'a> Colmap<'a> {
         let files = fs::read_dir(&model.folder).into_iter().flatten().flatten();
         let files: Vec<_> = files.map(|file| file.path()).collect();
         copy(&files, &sparse)
-    }
-
-    /// Writes a model of views, which all have one lens, with the points that COLMAP found.
-    fn write_views(&self, views: &[Camera], found: &Path, sparse: &Path) -> Result<()> {
-        let mut lines = String::new();
-        for (index, camera) in views.iter().enumerate() {
-            let turn = camera.to_world().transpose();
-            let [x, y, z, w] = DQuat::from_mat3(&turn).to_array();
-            let [a, b, c] = (-(turn * DVec3::from(camera.eye()))).to_array();
-            let name = camera.file_path.as_deref().unwrap_or_default();
-            writeln!(lines, "{} {w} {x} {y} {z} {a} {b} {c} 1 {name}\n", index + 1)
-                .expect("memory takes it");
-        }
-        let [side, half] = [2.0, 1.0].map(|part| part * views[0].cx);
-        let camera = format!("1 SIMPLE_PINHOLE {side} {side} {half} {half} {half}\n");
-        for (name, text) in [("cameras.txt", camera), ("images.txt", lines)] {
-            let path = sparse.join(name);
-            fs::write(&path, text).map_err(|source| Error::write(&path, source))?;
-        }
-        let mut colmap = self.job.programs.colmap("model_converter")?;
-        colmap.option("--input_path", found);
-        colmap.option("--output_path", sparse.join("points3D.ply"));
-        colmap.option("--output_type", "PLY");
-        self.job.programs.run(colmap, |_| {})
     }
 
     fn undistort(&self, model: &Path, folder: &Path) -> Result<()> {

@@ -1,14 +1,12 @@
 //! The images of a capture: the sharpest frames of a video, or photographs.
 
-use std::collections::HashSet;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use organza::data::panorama::{self, FACES, HEADINGS, PanoramaView, panorama_of};
-use organza::data::{Frame, photograph_size, upright};
-use organza::{Camera, Error, Result};
+use organza::data::{panorama, photograph_size, upright};
+use organza::{Error, Result};
 
 use super::CaptureJob;
 use super::programs::{command, output};
@@ -18,8 +16,6 @@ use crate::cli::{absolute, refuse};
 
 /// Folder of the images, in the work.
 pub const IMAGES: &str = "images";
-/// Folder of the panoramas, in the work. COLMAP sees views of them in their place.
-const PANORAMAS: &str = "panoramas";
 /// Width and height at which frames are compared. The shape of a video does not matter for that.
 const PROBE: [usize; 2] = [960, 540];
 /// Transfer functions of videos with a high dynamic range, as ffmpeg names them, and for people.
@@ -48,16 +44,24 @@ struct Shape {
 }
 
 impl CaptureJob<'_> {
-    /// Collects the images, and returns their names, in their natural order.
+    /// Collects the images, and returns their names, in their natural order. COLMAP knows only lenses.
     pub fn images(&self, source: &Source<'_>) -> Result<Vec<String>> {
-        self.step(IMAGES, |folder| {
-            match source {
-                Source::Video(video) => self.frames(video, folder)?,
-                Source::Photographs(photographs) => self.copy_upright(photographs, folder)?,
-            }
-            self.cut_panoramas(folder)
+        self.step(IMAGES, |folder| match source {
+            Source::Video(video) => self.frames(video, folder),
+            Source::Photographs(photographs) => self.copy_upright(photographs, folder),
         })?;
-        names(&self.path(IMAGES))
+        let folder = self.path(IMAGES);
+        let names = names(&folder)?;
+        let is_panorama =
+            |name: &&String| photograph_size(&folder.join(name)).is_ok_and(panorama::is_panorama);
+        let panoramas = names.iter().filter(is_panorama).count();
+        if panoramas > 0 && self.args.camera_model.is_none() {
+            self.console.warn(&format!(
+                "{} twice as wide as high: cut panoramas of 360 degrees into flat views first",
+                count(panoramas as u64, "image")
+            ));
+        }
+        Ok(names)
     }
 
     /// Copies photographs, each of which is checked as training checks it. A camera that was held on its side says so in the
@@ -73,56 +77,6 @@ impl CaptureJob<'_> {
             .map_err(|source| Error::write(&to, source))?;
         }
         Ok(())
-    }
-
-    /// Replaces panoramas by views that overlap, because COLMAP knows only lenses. A named lens says that there are none.
-    fn cut_panoramas(&self, folder: &Path) -> Result<()> {
-        let is_panorama =
-            |name: &String| photograph_size(&folder.join(name)).is_ok_and(panorama::is_panorama);
-        let mut names = names(folder)?;
-        names.retain(is_panorama);
-        if names.is_empty() || self.args.camera_model.is_some() {
-            return Ok(());
-        }
-        let images = count(names.len() as u64, "image");
-        self.console.note(&format!(
-            "{images} twice as wide as high: cutting each, as a panorama of 360 degrees, into views. If a lens took them, name it \
-             with `--camera-model`"
-        ));
-        let panoramas = self.path(PANORAMAS);
-        fs::create_dir_all(&panoramas).map_err(|source| Error::write(&panoramas, source))?;
-        for name in &names {
-            let to = panoramas.join(name);
-            fs::rename(folder.join(name), &to).map_err(|source| Error::write(&to, source))?;
-        }
-        self.cut(&names, folder, &HEADINGS)
-    }
-
-    /// Cuts panoramas into views.
-    fn cut(&self, names: &[String], folder: &Path, views: &[PanoramaView]) -> Result<()> {
-        let progress = self.console.progress("cutting panoramas", names.len(), "panoramas");
-        for (done, name) in names.iter().enumerate() {
-            self.programs.check()?;
-            let path = self.path(PANORAMAS).join(name);
-            for Frame { name, image, .. } in panorama::cut(&path, self.args.side, views)? {
-                let to = folder.join(name);
-                let [width, height] = [image.width(), image.height()];
-                let pixels = image.pixels().as_flattened();
-                image::save_buffer(&to, pixels, width, height, image::ColorType::Rgb8)
-                    .or_else(|error| refuse(format!("{}: {error}", to.display())))?;
-            }
-            progress.set(done + 1);
-        }
-        Ok(())
-    }
-
-    /// Cuts the panoramas of these views into the views to train on.
-    pub fn cut_faces(&self, cameras: &[Camera], folder: &Path) -> Result<()> {
-        let posed = cameras.iter().filter_map(|camera| camera.file_path.as_deref());
-        let posed: HashSet<_> = posed.filter_map(|name| panorama_of(name, &FACES)).collect();
-        let mut names = names(&self.path(PANORAMAS))?;
-        names.retain(|name| posed.contains(panorama::stem(name)));
-        self.cut(&names, folder, &FACES)
     }
 
     /// Writes the sharpest frame of each of N equal parts of a video.
@@ -152,7 +106,7 @@ impl CaptureJob<'_> {
         self.console.note(&format!("taking the {} sharpest of {all} frames", chosen.len()));
         let select: Vec<_> = chosen.iter().map(|frame| format!("eq(n,{frame})")).collect();
         let colors = self.colors(video, seen.transfer.as_deref())?;
-        let [width, height] = shape.fit(self.args.side, self.args.camera_model.is_none());
+        let [width, height] = shape.fit(self.args.side);
         let mut ffmpeg = ffmpeg(video, "error");
         let filters = format!("select='{}',{colors}scale={width}:{height}", select.join("+"));
         ffmpeg.arg("-vf").arg(filters).args(["-fps_mode", "passthrough"]);
@@ -235,16 +189,12 @@ impl Shape {
         Some(Self { size, pixel })
     }
 
-    /// The size with square pixels and at most `side` of them a side. A panorama's, if there may be one, is larger: a
-    /// view of it has a 3.14th part of its columns.
-    fn fit(self, side: u32, may_be_panorama: bool) -> [u32; 2] {
+    /// The size with square pixels and at most `side` of them a side.
+    fn fit(self, side: u32) -> [u32; 2] {
         let [width, height] = self.size.map(f64::from);
         let [wide, high] = self.pixel.map(f64::from);
         let size = [width * wide / high, height];
-        let is_panorama =
-            may_be_panorama && panorama::is_panorama(size.map(|side| side.round() as u32));
-        let max = f64::from(if is_panorama { side * 22 / 7 } else { side });
-        let factor = (max / size[0].max(size[1])).min(1.0);
+        let factor = (f64::from(side) / size[0].max(size[1])).min(1.0);
         size.map(|side| (side * factor).round().max(1.0) as u32)
     }
 }
@@ -333,11 +283,10 @@ mod tests {
         let line = "[Parsed_showinfo_0 @ 0x1] [info] n:   0 pts:      0 pts_time:0 fmt:yuv420p sar:4/3 s:240x180 i:P iskey:1";
         let shape = Shape::of(line).unwrap();
         assert_eq!(shape, Shape { size: [240, 180], pixel: [4, 3] });
-        assert_eq!(shape.fit(1920, true), [320, 180]);
-        assert_eq!(shape.fit(160, true), [160, 90]);
+        assert_eq!(shape.fit(1920), [320, 180]);
+        assert_eq!(shape.fit(160), [160, 90]);
         let of = |line: &str| Shape::of(line).unwrap();
-        assert_eq!(of("sar:0/1 s:1600x800").fit(301, true), [946, 473]);
-        assert_eq!(of("s:1600x800").fit(301, false), [301, 151]);
+        assert_eq!(of("sar:0/1 s:1600x800").fit(301), [301, 151]);
         assert_eq!(Shape::of("color_range:tv color_trc:arib-std-b67"), None);
         let [wide, high] = [of("s:64x36"), of("s:36x64")];
         assert_eq!(usual(&[wide, high, high]), Some(high));

@@ -30,9 +30,6 @@ const JUMP: f64 = 10.0;
 const FAR: f64 = 0.5;
 /// Largest part of the steps that may jump. A camera in a wrong place jumps there and back.
 const JUMPS: f64 = 0.1;
-/// A view stands apart from its panorama beyond this part of the median distance from the middle. Sound views are within
-/// a hundredth.
-const APART: f64 = 0.1;
 /// Names that a message has.
 const NAMES: usize = 5;
 
@@ -51,18 +48,16 @@ pub struct Judgment {
     other_focal: Vec<String>,
     /// Images where the camera jumps to.
     jumps: Vec<String>,
-    /// Views that COLMAP found apart from their panorama.
-    #[serde(default)]
-    apart: Vec<String>,
     /// Whether each image was compared with all others.
     all_pairs: bool,
 }
 
 impl Judgment {
-    /// Judges a model of these images, which are sorted. Its cameras are `joined` where they are views of a panorama.
-    pub fn new(images: &[String], model: &SparseModel, joined: &[Camera], all_pairs: bool) -> Self {
+    /// Judges a model of these images, which are sorted.
+    pub fn new(images: &[String], model: &SparseModel, all_pairs: bool) -> Self {
         let name = |camera: &Camera| camera.file_path.clone().unwrap_or_default();
-        let cameras: HashMap<_, _> = joined.iter().map(|camera| (name(camera), camera)).collect();
+        let cameras = model.cameras.iter().map(|camera| (name(camera), camera));
+        let cameras: HashMap<_, _> = cameras.collect();
         let without_pose = images.iter().filter(|name| !cameras.contains_key(*name));
         Self {
             images: images.len(),
@@ -70,9 +65,8 @@ impl Judgment {
             points: model.points,
             mean_track: model.mean_track,
             mean_error: model.mean_error,
-            other_focal: other_focal(joined).into_iter().map(name).collect(),
+            other_focal: other_focal(&model.cameras).into_iter().map(name).collect(),
             jumps: jumps(images, &cameras),
-            apart: apart(&model.cameras, &cameras),
             all_pairs,
         }
     }
@@ -90,13 +84,13 @@ impl Judgment {
     pub fn is_trainable(&self) -> bool {
         self.posed() as f64 >= TRAINABLE * self.images as f64
             && self.seen_points() >= SEEN_POINTS
-            && self.jumps.len().max(self.apart.len()) as f64 <= JUMPS * self.posed() as f64
+            && self.jumps.len() as f64 <= JUMPS * self.posed() as f64
     }
 
     /// What is wrong, and what to do.
     fn faults(&self) -> Vec<String> {
         let matcher = if self.all_pairs { "" } else { ", or try `--matcher exhaustive`" };
-        let Self { without_pose, mean_track, mean_error, other_focal, jumps, apart, .. } = self;
+        let Self { without_pose, mean_track, mean_error, other_focal, jumps, .. } = self;
         let seen = self.seen_points();
         let faults = [
             (
@@ -142,14 +136,6 @@ impl Judgment {
                     named(jumps)
                 ),
             ),
-            (
-                !apart.is_empty(),
-                format!(
-                    "views of one panorama stand apart: {}. Their poses are wrong. Take panoramas closer together, of what has \
-                     texture and does not repeat",
-                    named(apart)
-                ),
-            ),
         ];
         faults.into_iter().filter(|fault| fault.0).map(|fault| fault.1).collect()
     }
@@ -184,26 +170,17 @@ fn other_focal(cameras: &[Camera]) -> Vec<&Camera> {
     cameras.iter().filter(differs).collect()
 }
 
-/// Images that are far from the one before. Where that has no pose, nothing is known. Views of a panorama share a place.
+/// Images that are far from the one before. Where that has no pose, nothing is known.
 fn jumps(images: &[String], cameras: &HashMap<String, &Camera>) -> Vec<String> {
     let eye = |name: &String| cameras.get(name).map(|camera| DVec3::from(camera.eye()));
     let steps = images.windows(2).filter_map(|pair| {
         let [from, to] = [eye(&pair[0])?, eye(&pair[1])?];
         Some((from.distance(to), &pair[1]))
     });
-    let steps: Vec<_> = steps.filter(|step| step.0 > 0.0).collect();
+    let steps: Vec<_> = steps.collect();
     let spread = spread(images.iter().filter_map(eye).collect());
     let min = (JUMP * median(steps.iter().map(|step| step.0))).max(FAR * spread);
     steps.into_iter().filter(|step| step.0 > min).map(|step| step.1.clone()).collect()
-}
-
-/// Views that were found far from the place that they have now.
-fn apart(found: &[Camera], cameras: &HashMap<String, &Camera>) -> Vec<String> {
-    let eye = |camera: &Camera| DVec3::from(camera.eye());
-    let max = APART * spread(cameras.values().map(|camera| eye(camera)).collect());
-    let is_apart = |name: &&String, camera| eye(cameras[*name]).distance(eye(camera)) > max;
-    let named = found.iter().filter_map(|camera| Some((camera.file_path.as_ref()?, camera)));
-    named.filter(|(name, camera)| is_apart(name, camera)).map(|(name, _)| name.clone()).collect()
 }
 
 /// The median distance from the middle.

@@ -31,7 +31,6 @@ Examples:
   organza capture garden.mp4 -o garden              from a video
   organza capture photographs/ -o garden            from a folder of photographs
   organza train garden -o garden-run
-  organza capture walk360.mp4 -o walk --frames 50   from a video of 360 degrees
 
 Walk slowly around what you want to show, and look at it from many places: turning on the spot shows no depth. Keep the \
 light and the zoom as they are.
@@ -66,8 +65,7 @@ pub struct Args {
     /// their neighbors. If poses are then missing, up to 200 are compared with all others after all
     #[arg(long)]
     matcher: Option<Matcher>,
-    /// COLMAP's model of the lens. By default, SIMPLE_RADIAL for up to 50 images or images of several sizes, else OPENCV;
-    /// images twice as wide as high are panoramas of 360 degrees, and are cut into views
+    /// COLMAP's model of the lens. By default, SIMPLE_RADIAL for up to 50 images or images of several sizes, else OPENCV
     #[arg(long, value_name = "MODEL")]
     #[arg(value_parser = ["SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV"])]
     camera_model: Option<String>,

@@ -23,7 +23,7 @@ from ._cameras import Cameras, Tiles
 from ._data import Dataset, load_dataset
 from ._images import Images
 from ._metrics import psnr, ssim
-from ._renderer import Renderer, parity
+from ._renderer import Renderer
 from ._splats import Exported, Imported, export, import_splats
 from ._training import Evaluation, Step, TrainConfig, Training, train
 
@@ -47,7 +47,6 @@ __all__ = [
     "export",
     "import_splats",
     "load_dataset",
-    "parity",
     "psnr",
     "ssim",
     "train",

@@ -184,11 +184,3 @@ def one_size(cameras: Cameras) -> tuple[int, int]:
         reason = f"whole images need cameras of one size, found {sorted(sizes)}"
         raise ValueError(f"{reason}: render cameras of one size at a time, or tiles")
     return sizes.pop()
-
-
-def parity(backend: Literal["gpu", "cpu"] = "gpu") -> list[dict[str, Any]]:
-    """Runs every kernel on this machine's GPUs and compares with the CPU; with "cpu", one thread with all.
-
-    A report for each GPU and each way that SPIR-V reaches it; `report["kernels"]` has a row with "ok" for each kernel.
-    """
-    return _organza.parity(backend)

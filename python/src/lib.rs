@@ -28,7 +28,6 @@ fn _organza(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<data::Dataset>()?;
     module.add_class::<training::TrainConfig>()?;
     module.add_class::<training::Training>()?;
-    module.add_function(wrap_pyfunction!(renderer::parity, module)?)?;
     module.add_function(wrap_pyfunction!(metrics::psnr, module)?)?;
     module.add_function(wrap_pyfunction!(metrics::ssim, module)?)?;
     module.add_function(wrap_pyfunction!(splats::export, module)?)?;

@@ -3,14 +3,10 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use muslin_check::Report;
-use muslin_device::adapters;
 use numpy::{IntoPyArray, PyArray4, PyArrayMethods};
 use organza::bench::{BenchOptions, measure};
-use organza::error::DeviceError;
 use organza::render::SceneGradient;
-use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles, SpirvPath};
-use organza_parity::cases;
+use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -239,47 +235,6 @@ fn channels_of(names: &[String]) -> PyResult<Vec<Channel>> {
         })
     };
     names.iter().map(channel).collect()
-}
-
-/// Runs every kernel and compares it with the CPU. Returns a report for each GPU and each path to it, or one for the
-/// CPU alone.
-#[pyfunction]
-pub fn parity<'py>(py: Python<'py>, backend: &str) -> PyResult<Bound<'py, PyAny>> {
-    let on_gpu = match backend {
-        "gpu" => true,
-        "cpu" => false,
-        other => {
-            return Err(invalid(format!("there is no backend `{other}`; expected `gpu` or `cpu`")));
-        }
-    };
-    let reports = job::run(py, move || reports(on_gpu))?;
-    json(py, &serde_json::to_string(&reports).expect("numbers and strings"))
-}
-
-fn reports(on_gpu: bool) -> organza::Result<Vec<Report>> {
-    let cpu = organza::open_device(&DeviceOptions::cpu(None))?;
-    if !on_gpu {
-        return Ok(vec![Report::run_on_cpu(&cases(), &cpu, |_| ())?]);
-    }
-    let mut reports = Vec::new();
-    for adapter in adapters() {
-        for path in [SpirvPath::Passthrough, SpirvPath::Naga] {
-            if path == SpirvPath::Passthrough && !adapter.passes_through {
-                continue;
-            }
-            match Report::run_on_gpu(&cases(), &organza::MODULES, &cpu, &adapter, path, |_| ()) {
-                Ok(report) => reports.push(report),
-                // another GPU may be usable
-                Err(DeviceError::NoGpu { .. }) => {}
-                Err(error) => return Err(error.into()),
-            }
-        }
-    }
-    if reports.is_empty() {
-        // opening one reports why there is none
-        organza::open_device(&DeviceOptions::gpu(SpirvPath::Naga))?;
-    }
-    Ok(reports)
 }
 
 /// A scene on a device, with data that belongs to it.

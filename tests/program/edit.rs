@@ -5,7 +5,6 @@ use std::collections::HashSet;
 use glam::DVec3;
 use organza::scene::Gaussians;
 use organza::{Camera, Scene};
-use organza_tests::cases;
 use serde_json::Value;
 
 use crate::sandbox::Sandbox;
@@ -109,30 +108,6 @@ fn distant_floaters_are_not_in_the_largest_cluster() {
     assert_eq!(report["removed"][0]["gaussians"], 7);
 }
 
-/// Haze is planted before one camera of many.
-#[test]
-fn haze_before_a_camera_goes() {
-    let sandbox = Sandbox::new("tiny");
-    let mut scene = cases::thinned(20, 1.0);
-    // in images as small as these, the few Gaussians must hide what is behind them
-    scene.config.antialiased = false;
-    scene.save(sandbox.path("scene.safetensors")).expect("a scene");
-    let cameras = organza::demo::turntable(12, 32);
-    Camera::save_all(sandbox.path("around.json"), &cameras).expect("cameras");
-    let eye = cameras[4].eye();
-    // on the way from the eye to the middle of the scene, and so small that the scene is behind all of it
-    let place = eye.map(|x| 0.8 * x as f32);
-    let before = plant(&sandbox, 1, |i, scene| {
-        scene.gaussians.position[i] = place;
-        scene.gaussians.log_scale[i] = [-4.5; 3];
-        scene.gaussians.opacity[i] = 0.5;
-    });
-    let (report, edited) = edit(&sandbox, "planted.safetensors around.json --haze");
-    assert_eq!(report["removed"][0]["rule"], "haze, seen by 3 views or fewer");
-    assert!(!edited.gaussians.position.contains(&place), "{report}");
-    assert!(edited.gaussians.len() + 3 >= before.gaussians.len(), "{report}");
-}
-
 /// Number of floaters that [`plant_floaters`] plants.
 const FLOATERS: usize = 200;
 
@@ -191,7 +166,7 @@ fn planted_floaters_go() {
 fn a_run_is_edited_and_every_command_takes_the_result() {
     let sandbox = runs::sandbox();
     sandbox.run(&format!("{TINY} run --hold-out-every 3")).assert_ok();
-    let words = "run --min-contribution --haze --clean 0.1 --keep-largest";
+    let words = "run --min-contribution --clean 0.1 --keep-largest";
     let (report, _) = edit(&sandbox, words);
     crate::flags::assert_documented("edit", std::slice::from_ref(&report));
     let eval = |scene: &str| -> f64 {
@@ -223,11 +198,10 @@ fn bad_options_are_refused() {
     let sandbox = Sandbox::new("tiny");
     for (words, facts) in [
         ("", &["nothing to do", "--box"][..]),
-        ("--outside --haze", &["--outside", "--sphere"]),
+        ("--outside --clean 0.3", &["--outside", "--sphere"]),
         ("--box 0,0,0", &["--box", "two corners"]),
         ("--sphere 0,0,0,-1", &["--sphere", "radius"]),
         ("--keep-largest=0", &["--keep-largest", "0.001"]),
-        ("--haze=0", &["--haze", "1 or more"]),
         ("--clean 1.5", &["--clean", "0 to 1"]),
         ("--clean 0.5", &["scene.safetensors", "name the data set"]),
         ("--min-contribution=-1", &["--min-contribution", "0 or more"]),

@@ -18,20 +18,17 @@ use super::{eval, number_in, numbers, refuse, text_of};
 
 const USAGE: &str = "organza edit SCENE DATA -o NEW";
 
-/// A Gaussian is haze if at least this share of its contribution is in front of surfaces.
-const HAZE: f64 = 0.9;
-
 const EXAMPLES: &str = "\
 Examples:
   organza edit run -o small.safetensors --min-contribution      without what no photograph shows
   organza edit run -o clean.safetensors --clean 0.3               without floaters; view --edit shows each strength
-  organza edit run -o clear.safetensors --haze --keep-largest
+  organza edit run -o near.safetensors --keep-largest
   organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
   organza edit run -o rest.safetensors --sphere 0,0,1,0.5 --outside
   organza edit scene.safetensors data/fox -o small.safetensors --min-contribution=0.5
   organza edit run -o in-meters.safetensors --measured 0,0,0,1.2,0,0.4,0.25    two points, 25 cm apart
 
-The rules apply in this order: box and sphere, contribution, haze, floaters, cluster. Contribution, haze and floaters are \
+The rules apply in this order: box and sphere, contribution, floaters, cluster. Contribution and floaters are \
 measured once, in the scene that box and sphere have left. \
 The result is a scene's file, for every command that takes a scene.";
 
@@ -60,11 +57,6 @@ pub struct Args {
     #[arg(long, value_name = "PIXELS", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "0", value_parser = number_in(0.0.., "pixels, 0 or more"))]
     min_contribution: Option<f64>,
-    /// Remove haze: Gaussians that are mostly in front of surfaces and that at most VIEWS views see [default: a
-    /// tenth of the views, but 3 at least]
-    #[arg(long, value_name = "VIEWS", num_args = 0..=1, require_equals = true)]
-    #[arg(value_parser = number_in(1.0.., "a number of views, 1 or more"))]
-    haze: Option<Option<f64>>,
     /// Remove floaters: what few views support. A strength from 0, which removes nothing, to 1; 0.3 is a start
     #[arg(long, value_name = "STRENGTH", value_parser = number_in(0.0..=1.0, "a number from 0 to 1"))]
     clean: Option<f64>,
@@ -143,7 +135,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     // before any view is rendered, so that a box beside the scene costs no time
     let mut edited = scene.clone();
     let mut removed = args.crop(&mut edited)?;
-    let cameras = match args.min_contribution.is_some() || args.looks_at_surfaces() {
+    let cameras = match args.min_contribution.is_some() || args.clean.is_some() {
         true => Cameras::load(&source, args.data.as_deref(), &args.data_args, USAGE, console)?.list,
         false => Vec::new(),
     };
@@ -180,20 +172,16 @@ impl Args {
             return refuse("`--outside` needs `--box` or `--sphere`");
         }
         let has_rule = self.min_contribution.is_some()
-            || self.looks_at_surfaces()
+            || self.clean.is_some()
             || self.keep_largest.is_some();
         let has_scale = self.scale.is_some() || self.measured.is_some();
         if has_region || has_rule || has_scale {
             return Ok(());
         }
         refuse(
-            "there is nothing to do: give `--box`, `--sphere`, `--min-contribution`, `--haze`, `--clean`, \
+            "there is nothing to do: give `--box`, `--sphere`, `--min-contribution`, `--clean`, \
              `--keep-largest`, `--scale` or `--measured`",
         )
-    }
-
-    fn looks_at_surfaces(&self) -> bool {
-        self.haze.is_some() || self.clean.is_some()
     }
 
     /// Box and sphere, in the scene's coordinates.
@@ -246,7 +234,7 @@ impl Args {
         let mut found = Contributions::new(scene.gaussians.len());
         let bar = console.progress("measuring what Gaussians contribute", cameras.len(), "views");
         for (done, camera) in cameras.iter().enumerate() {
-            renderer.add_contributions(&uploaded, camera, self.looks_at_surfaces(), &mut found)?;
+            renderer.add_contributions(&uploaded, camera, self.clean.is_some(), &mut found)?;
             bar.set_of(done + 1, cameras.len());
         }
         drop(bar);
@@ -259,12 +247,6 @@ impl Args {
                 min => format!("{min} pixels or less in all views"),
             };
             rules.push((rule, is_removed.collect::<Vec<_>>()));
-        }
-        if let Some(max) = self.haze {
-            let max = max.unwrap_or_else(|| (0.1 * cameras.len() as f64).round().max(3.0));
-            let is_haze = |i| found.in_front(i) >= HAZE && found.views(i) <= max;
-            let is_removed = (0..scene.gaussians.len()).map(is_haze);
-            rules.push((format!("haze, seen by {max} views or fewer"), is_removed.collect()));
         }
         if let Some(strength) = self.clean {
             rules.push((format!("floaters, strength {strength}"), found.floaters(strength)));

@@ -96,18 +96,6 @@ fn only_gaussians_in_no_view_are_removed() {
     assert!(more["gaussians"].as_u64() < report["gaussians"].as_u64(), "{more}");
 }
 
-#[test]
-fn distant_floaters_are_not_in_the_largest_cluster() {
-    let sandbox = Sandbox::new("crowded");
-    let before = plant(&sandbox, 7, |i, scene| {
-        scene.gaussians.position[i] = [500.0 + i as f32, 0.0, 0.0];
-        scene.gaussians.log_scale[i] = [-1.0; 3];
-    });
-    let (report, edited) = edit(&sandbox, "planted.safetensors --keep-largest=20");
-    assert_eq!(edited.gaussians, before.gaussians, "{report}");
-    assert_eq!(report["removed"][0]["gaussians"], 7);
-}
-
 /// Number of floaters that [`plant_floaters`] plants.
 const FLOATERS: usize = 200;
 
@@ -166,7 +154,7 @@ fn planted_floaters_go() {
 fn a_run_is_edited_and_every_command_takes_the_result() {
     let sandbox = runs::sandbox();
     sandbox.run(&format!("{TINY} run --hold-out-every 3")).assert_ok();
-    let words = "run --min-contribution --clean 0.1 --keep-largest";
+    let words = "run --min-contribution --clean 0.1";
     let (report, _) = edit(&sandbox, words);
     crate::flags::assert_documented("edit", std::slice::from_ref(&report));
     let eval = |scene: &str| -> f64 {
@@ -187,7 +175,7 @@ fn a_run_is_edited_and_every_command_takes_the_result() {
         "film edited.safetensors cameras.json -o film.png --frames 2 --size 16x16 --backend cpu",
         "export edited.safetensors cameras.json -o splats.ply --steps 0 --side 16 --backend cpu",
         "export-web edited.safetensors -o page --backend cpu",
-        "edit edited.safetensors -o twice.safetensors --keep-largest --backend cpu",
+        "edit edited.safetensors -o twice.safetensors --sphere 0,0,0,99 --backend cpu",
     ] {
         sandbox.run(words).assert_ok();
     }
@@ -201,7 +189,6 @@ fn bad_options_are_refused() {
         ("--outside --clean 0.3", &["--outside", "--sphere"]),
         ("--box 0,0,0", &["--box", "two corners"]),
         ("--sphere 0,0,0,-1", &["--sphere", "radius"]),
-        ("--keep-largest=0", &["--keep-largest", "0.001"]),
         ("--clean 1.5", &["--clean", "0 to 1"]),
         ("--clean 0.5", &["scene.safetensors", "name the data set"]),
         ("--min-contribution=-1", &["--min-contribution", "0 or more"]),
@@ -216,6 +203,6 @@ fn bad_options_are_refused() {
     let outcome = sandbox.run("edit scene.safetensors --box 9,9,9,10,10,10 -o new.safetensors");
     outcome.assert_refused(&["nothing would be left"]);
     assert_eq!(outcome.stderr.lines().count(), 1, "{outcome:?}");
-    let words = "edit scene.safetensors --keep-largest -o scene.safetensors";
+    let words = "edit scene.safetensors --scale 2 -o scene.safetensors";
     sandbox.assert_refuses(words, &["would replace the input"]);
 }

@@ -36,7 +36,7 @@ const COMMANDS: [&str; 19] = [
     "bench scene.safetensors cameras.json tiles.json --backend cpu --repeat 1 --forward",
     "eval run --backend cpu",
     "eval scene.safetensors data --backend cpu --split all --downscale 4 --json",
-    "edit run -o new --backend cpu --clean=0.3 --min-contribution=1 --keep-largest",
+    "edit run -o new --backend cpu --clean=0.3 --min-contribution=1",
     "train data --config small.toml --backend cpu -o new --time-limit 1 --downscale 2",
     "train --resume run --backend cpu --time-limit 1",
 ];

@@ -147,7 +147,7 @@ fn paths_need_not_be_utf8() {
         "train views --config tiny.toml --steps 2 -o @/run --backend cpu",
         "train --resume @/run --steps 4 --backend cpu",
         "eval @/run --csv @/scores.csv --backend cpu",
-        "edit @/run -o @/new.safetensors --keep-largest --backend cpu",
+        "edit @/run -o @/new.safetensors --scale 2 --backend cpu",
         "render @/run -o @/images --channels depth --backend cpu",
         "film @/run -o @/film.png --frames 2 --size 16x16 --backend cpu",
         "tiles @/run tiles.json -o @/tiles.safetensors --backend cpu",

@@ -324,7 +324,7 @@ fn bad_files_and_options_are_refused() {
         "import thin.ply -o new.safetensors",
         &["thin.ply", "no file of Gaussians"],
     );
-    for words in ["import thin.ply -o new.ply", "edit thin.ply -o new.splat --keep-largest 5"] {
+    for words in ["import thin.ply -o new.ply", "edit thin.ply -o new.splat --clean 0.3"] {
         sandbox.assert_refuses(words, &["new.", "ends in .safetensors", "organza export"]);
     }
     sandbox.assert_refuses("import none.ply -o new.safetensors", &["none.ply", "no such file"]);

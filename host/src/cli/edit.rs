@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use organza::data::{Background, Dataset};
-use organza::edit::{Region, largest_cluster};
+use organza::edit::Region;
 use organza::render::Contributions;
 use organza::scene::Placement;
 use organza::{Camera, Renderer, Result, Scene};
@@ -22,13 +22,12 @@ const EXAMPLES: &str = "\
 Examples:
   organza edit run -o small.safetensors --min-contribution      without what no photograph shows
   organza edit run -o clean.safetensors --clean 0.3               without floaters; view --edit shows each strength
-  organza edit run -o near.safetensors --keep-largest
   organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
   organza edit run -o rest.safetensors --sphere 0,0,1,0.5 --outside
   organza edit scene.safetensors data/fox -o small.safetensors --min-contribution=0.5
   organza edit run -o in-meters.safetensors --measured 0,0,0,1.2,0,0.4,0.25    two points, 25 cm apart
 
-The rules apply in this order: box and sphere, contribution, floaters, cluster. Contribution and floaters are \
+The rules apply in this order: box and sphere, contribution, floaters. Contribution and floaters are \
 measured once, in the scene that box and sphere have left. \
 The result is a scene's file, for every command that takes a scene.";
 
@@ -60,11 +59,6 @@ pub struct Args {
     /// Remove floaters: what few views support. A strength from 0, which removes nothing, to 1; 0.3 is a start
     #[arg(long, value_name = "STRENGTH", value_parser = number_in(0.0..=1.0, "a number from 0 to 1"))]
     clean: Option<f64>,
-    /// Keep only the largest cluster of Gaussians that are close to each other: within about REACH standard deviations of
-    /// the larger one [default: 2]
-    #[arg(long, value_name = "REACH", num_args = 0..=1, require_equals = true)]
-    #[arg(default_missing_value = "2", value_parser = number_in(1e-3..=1e3, "a number from 0.001 to 1000"))]
-    keep_largest: Option<f64>,
     /// The scene's scale: meters in one unit of its data set. Exported files are then in meters
     #[arg(long, value_name = "METERS", conflicts_with = "measured")]
     #[arg(value_parser = number_in(f64::MIN_POSITIVE.., "meters above 0"))]
@@ -135,7 +129,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     // before any view is rendered, so that a box beside the scene costs no time
     let mut edited = scene.clone();
     let mut removed = args.crop(&mut edited)?;
-    let cameras = match args.min_contribution.is_some() || args.clean.is_some() {
+    let cameras = match args.renders_views() {
         true => Cameras::load(&source, args.data.as_deref(), &args.data_args, USAGE, console)?.list,
         false => Vec::new(),
     };
@@ -149,7 +143,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if !cameras.is_empty() {
         args.by_contribution(&mut edited, &cameras, &renderer, &mut removed, console)?;
     }
-    removed.extend(args.keep_largest(&mut edited)?);
     let placement = &mut edited.config.placement;
     placement.meters = args.scale.or(args.measured).or(placement.meters);
     edited.save(&args.output)?;
@@ -171,17 +164,19 @@ impl Args {
         if self.outside && !has_region {
             return refuse("`--outside` needs `--box` or `--sphere`");
         }
-        let has_rule = self.min_contribution.is_some()
-            || self.clean.is_some()
-            || self.keep_largest.is_some();
         let has_scale = self.scale.is_some() || self.measured.is_some();
-        if has_region || has_rule || has_scale {
+        if has_region || self.renders_views() || has_scale {
             return Ok(());
         }
         refuse(
             "there is nothing to do: give `--box`, `--sphere`, `--min-contribution`, `--clean`, \
-             `--keep-largest`, `--scale` or `--measured`",
+             `--scale` or `--measured`",
         )
+    }
+
+    /// Whether a rule looks at what Gaussians contribute to views.
+    fn renders_views(&self) -> bool {
+        self.min_contribution.is_some() || self.clean.is_some()
     }
 
     /// Box and sphere, in the scene's coordinates.
@@ -211,14 +206,6 @@ impl Args {
             removed.push(keep(scene, format!("{side} the {name}"), is_kept)?);
         }
         Ok(removed)
-    }
-
-    /// Keeps the largest cluster, if asked.
-    fn keep_largest(&self, scene: &mut Scene) -> Result<Option<Removed>> {
-        let Some(reach) = self.keep_largest else { return Ok(None) };
-        let is_in_largest = largest_cluster(&scene.gaussians, reach as f32);
-        let rule = "outside the largest cluster".to_owned();
-        keep(scene, rule, |i, _| is_in_largest[i]).map(Some)
     }
 
     /// The rules for which views are rendered.

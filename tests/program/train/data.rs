@@ -32,7 +32,7 @@ fn every_command_notices_another_order_of_frames() {
         "eval run --backend cpu",
         "eval run --split all --backend cpu",
         "eval run --hold-out-every 2 --backend cpu",
-        "edit run -o new.safetensors --keep-largest --backend cpu",
+        "edit run -o new.safetensors --clean 0.3 --backend cpu",
         "render run -o new --backend cpu",
         "film run -o new.png --backend cpu",
         "explain run --pixel 1,1",
@@ -61,7 +61,7 @@ fn another_photograph_is_noticed_where_it_is_read() {
     sandbox.copy_file("views/view-004.png", "views/view-000.png");
     let facts = ["view-000.png", "has changed since the run was trained", "name the data set"];
     sandbox.assert_refuses("eval run --backend cpu", &facts);
-    sandbox.assert_refuses("edit run -o new.safetensors --keep-largest --backend cpu", &facts);
+    sandbox.assert_refuses("edit run -o new.safetensors --clean 0.3 --backend cpu", &facts);
     // it is not read, or is smaller than the run's, or was named
     sandbox.run("eval run --split train --backend cpu").assert_ok();
     sandbox.run("render run -o images --backend cpu").assert_ok();

@@ -12,8 +12,6 @@ fn numbers_out_of_range() {
         (format!("{TILES} -o out --threads 1000000"), ["'1000000'", "--threads"]),
         (format!("{RENDER} -o out --views 99"), ["no view 99", "views 0 to 1"]),
         (format!("{RENDER} -o out --views -1"), ["--views", "list such as"]),
-        (format!("{RENDER} -o out --tile-size 0"), ["'0'", "--tile-size"]),
-        (format!("{RENDER} -o out --tile-size 10000"), ["'10000'", "--tile-size"]),
         (format!("{EXPLAIN} --pixel 96,0"), ["pixel 96,0", "96 x 80"]),
         (format!("{EXPLAIN} --pixel 0,80"), ["pixel 0,80", "96 x 80"]),
         (format!("{EXPLAIN} --pixel -1,0"), ["pixel -1,0", "96 x 80"]),

@@ -27,7 +27,7 @@ const COMMANDS: [&str; 19] = [
     "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --threads 1",
     "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --half-grids",
     "tiles scene.safetensors cameras.json tiles.json --backend cpu --grad-tiles g --grad out",
-    "render scene.safetensors cameras.json -o images --backend cpu --views 0 --tile-size 16",
+    "render scene.safetensors cameras.json -o images --backend cpu --views 0",
     "explain scene.safetensors cameras.json --pixel 48,40 --view 1",
     "explain scene.safetensors cameras.json --pixel 48,40 --all --json",
     "demo -o demo --views 1 --size 8 --backend cpu --quiet",

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use organza::data::encode_jpeg;
+use organza::image::TILE_SIDE;
 use organza::still_life;
 use organza::{Camera, Error, Image, Renderer, Result, Scene, Tile, TileBatch, demo};
 use organza_core::write_atomic;
@@ -20,8 +21,6 @@ use super::{refuse, text_of};
 /// Default number of views, and of pixels of their sides.
 const VIEWS: u16 = 24;
 const SIDE: u32 = 384;
-/// Side of the tiles that images are cut into, and of the tiles in `tiles.json`, in pixels.
-const TILE_SIZE: u32 = 64;
 /// Largest width of the contact sheet, in pixels; a wider one is shrunk.
 const SHEET_WIDTH: u32 = 2400;
 
@@ -128,7 +127,7 @@ fn render(
 ) -> Result<(Vec<Picture>, Cost)> {
     let scene = renderer.upload(scene)?;
     let scene = &scene;
-    let pictures = Pictures { renderer, scene, cameras, tile_size: TILE_SIZE, stop: None };
+    let pictures = Pictures { renderer, scene, cameras, stop: None };
     let views: Vec<_> = (0..cameras.len()).collect();
     let names = names(cameras);
     let mut sheet = Sheet::new(cameras)?;
@@ -191,10 +190,10 @@ impl Sheet {
 /// A tile in the center of each of the first views.
 fn center_tiles(cameras: &[Camera]) -> TileBatch {
     let origin = |camera: &Camera| {
-        [camera.width, camera.height].map(|size| (size as i32 - TILE_SIZE as i32) / 2)
+        [camera.width, camera.height].map(|size| (size as i32 - TILE_SIDE as i32) / 2)
     };
     let tile = |(camera, of): (usize, &Camera)| Tile { camera, origin: origin(of) };
-    TileBatch { side: TILE_SIZE, tiles: cameras.iter().enumerate().take(8).map(tile).collect() }
+    TileBatch { side: TILE_SIDE, tiles: cameras.iter().enumerate().take(8).map(tile).collect() }
 }
 
 fn next_steps(path: &Path, cameras: &[Camera]) -> String {
@@ -207,7 +206,7 @@ fn next_steps(path: &Path, cameras: &[Camera]) -> String {
          look at {sheet}, then try\n  \
          organza info {scene}\n  \
          organza explain {scene} {cameras_file} --view 0 --pixel {center},{center}\n  \
-         organza render {scene} {cameras_file} -o {images} --views 0 --tile-size 50\n  \
+         organza render {scene} {cameras_file} -o {images} --views 0\n  \
          organza tiles {scene} {cameras_file} {tiles} -o {rendered}",
         count(cameras.len() as u64, "view"),
         path.display(),

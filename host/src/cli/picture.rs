@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use organza::image::{self, ChannelImage};
+use organza::image::{self, ChannelImage, TILE_SIDE};
 use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
 use serde::Serialize;
 
@@ -18,7 +18,6 @@ pub struct Pictures<'a> {
     pub renderer: &'a Renderer,
     pub scene: &'a DeviceScene,
     pub cameras: &'a [Camera],
-    pub tile_size: u32,
     /// Asks to stop within an image, which is then an error.
     pub stop: Option<&'a AtomicBool>,
 }
@@ -26,7 +25,7 @@ pub struct Pictures<'a> {
 impl Pictures<'_> {
     /// Number of tiles in some views, for a progress bar.
     pub fn tiles(&self, views: &[usize]) -> usize {
-        let across = |pixels: u32| pixels.div_ceil(self.tile_size) as usize;
+        let across = |pixels: u32| pixels.div_ceil(TILE_SIDE) as usize;
         let tiles = |&view: &usize| {
             let camera = &self.cameras[view];
             across(camera.width) * across(camera.height)
@@ -46,7 +45,7 @@ impl Pictures<'_> {
         let mut picture = Image::new(width, height)?;
         let beside = channels.iter().map(|&channel| ChannelImage::new(channel, width, height));
         let mut beside = beside.collect::<Result<Vec<_>>>()?;
-        for batch in image::bands(view, [width, height], self.tile_size) {
+        for batch in image::bands(view, [width, height], TILE_SIDE) {
             let batch = batch?;
             if self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
                 return refuse("stopped by a signal within an image");

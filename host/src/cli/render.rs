@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use organza::image::ChannelImage;
-use organza::tile::MAX_TILE_SIDE;
 use organza::{Channel, Image, Result};
 use serde::Serialize;
 
@@ -20,7 +19,7 @@ use super::{refuse, text_of};
 const EXAMPLES: &str = "\
 Examples:
   organza render scene.safetensors transforms.json -o images
-  organza render scene.safetensors transforms.json -o images --views 0-3,8 --tile-size 128
+  organza render scene.safetensors transforms.json -o images --views 0-3,8
   organza render scene.safetensors transforms.json -o images --channels depth,normal
   organza render run -o images                             the views that the run was trained on
   organza render run -o images --split held-out            those that it did not see
@@ -31,7 +30,7 @@ A data set's cameras are used as in training: undistorted and downscaled. With a
 which frames are held out. `--views` counts the frames that `--split` chooses.
 
 If each camera names a photograph of its own, files are named after these; otherwise after the \
-view's index. The tile size does not change the image.
+view's index.
 
 A folder with files that are no images of these cameras is refused, unless you pass `--overwrite`. Nothing is removed.
 
@@ -57,10 +56,6 @@ pub struct Args {
     /// Write to a folder with other files. They stay; images of the same names are replaced
     #[arg(long)]
     overwrite: bool,
-    /// Side of the tiles that an image is cut into, in pixels
-    #[arg(long, value_name = "S", default_value_t = 64)]
-    #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_TILE_SIDE)))]
-    tile_size: u32,
     /// Print JSON: the images, and the cost of rendering (docs/json.md)
     #[arg(long)]
     json: bool,
@@ -110,8 +105,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
     let renderer = &args.device.open(console)?;
     let scene = &shown.upload(&scene, &args.scene_args, renderer, console)?;
-    let pictures =
-        Pictures { renderer, scene, cameras: list, tile_size: args.tile_size, stop: None };
+    let pictures = Pictures { renderer, scene, cameras: list, stop: None };
     let output = (&channels[..], args.levels.depth_scale);
     let cost = write_all(&pictures, views, &files, output, console)?;
     let names: Vec<_> = files.iter().flatten().collect();

@@ -13,9 +13,7 @@ const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu -
 #[test]
 fn images_at_rest_are_the_bytes_of_render() {
     let sandbox = Sandbox::new("basic");
-    sandbox
-        .run("render scene.safetensors cameras.json -o images --backend cpu --tile-size 50")
-        .assert_ok();
+    sandbox.run("render scene.safetensors cameras.json -o images --backend cpu").assert_ok();
     let viewer = Viewer::start(&sandbox, VIEW);
     let scene = viewer.scene();
     let views = scene["views"].as_array().expect("views");

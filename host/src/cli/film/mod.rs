@@ -22,7 +22,6 @@ use super::summary::{Cost, Summary, count};
 use super::{refuse, text_of};
 use film_path::{Inputs, PathArgs, described};
 
-const TILE_SIZE: u32 = 64;
 /// Number of frames that determine the range of a film's depths, and the divisor of their sides.
 const PROBES: usize = 5;
 const PROBE_SHRINK: u32 = 4;
@@ -258,7 +257,7 @@ impl Film<'_> {
         progress: &Progress,
     ) -> Result<Image> {
         let Self { renderer, scene, cameras, look } = *self;
-        let pictures = Pictures { renderer, scene, cameras, tile_size: TILE_SIZE, stop };
+        let pictures = Pictures { renderer, scene, cameras, stop };
         let channels: Vec<_> = look.iter().map(|(channel, _)| *channel).collect();
         let (image, beside) = pictures.render_channels(frame, &channels, summary, progress)?;
         Ok(look.map_or(image, |(_, range)| beside[0].picture(range)))
@@ -272,8 +271,7 @@ impl Film<'_> {
         let cameras: Vec<_> = probes.iter().map(small).collect();
         let renderer = self.renderer;
         let scene = self.scene;
-        let pictures =
-            Pictures { renderer, scene, cameras: &cameras, tile_size: TILE_SIZE, stop: None };
+        let pictures = Pictures { renderer, scene, cameras: &cameras, stop: None };
         let mut depths = Vec::new();
         console.during("looking at depths", || {
             for view in 0..cameras.len() {

@@ -7,8 +7,6 @@ use organza_train::metrics::Record;
 
 /// Largest number of points in a curve. A longer one is thinned to every second, third, ... point.
 const MAX_POINTS: usize = 4000;
-/// Largest number of points in a curve of learning rates, which are smooth.
-const MAX_RATES: usize = 250;
 /// Number of colors in the style sheet, besides `--batch` and `--held-out`.
 const COLORS: usize = 8;
 
@@ -48,7 +46,6 @@ pub(super) enum Scale {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Style {
-    Line,
     /// Values, with their running mean in front.
     Noise,
     /// Only the running mean.
@@ -204,7 +201,6 @@ impl Charts {
         let title = "Speed";
         let unit = "tiles per second";
         charts.add(Chart { title, unit, scale: zero, digits: Some(1), series });
-        charts.add_rates(&source.steps);
         charts
     }
 
@@ -241,34 +237,6 @@ impl Charts {
             charts.add(Chart { title, unit, scale, digits, series });
         }
         charts
-    }
-
-    /// Adds a curve for each learning rate.
-    fn add_rates(&mut self, steps: &[&Record]) {
-        let steps = thinned(steps.to_vec(), MAX_RATES);
-        let rates = |record: &&Record| match record {
-            Record::Step { rates, .. } => Some(rates.clone()),
-            _ => None,
-        };
-        let found: Vec<_> = steps.iter().filter_map(rates).collect();
-        let Some(names) = found.last().map(|rates| rates.keys().cloned().collect::<Vec<_>>())
-        else {
-            return;
-        };
-        let table = self.tables.len();
-        self.tables.push(Table::from_records(&steps));
-        let scale = Scale::Log;
-        let style = Style::Line;
-        let series = names.into_iter().enumerate().map(|(at, name)| {
-            let rate = |rates: &std::collections::BTreeMap<String, f32>| {
-                drawn(rates.get(&name).map_or(f64::NAN, |rate| f64::from(*rate)), scale)
-            };
-            let y = found.iter().map(rate).collect();
-            let color = format!("--run-{}", at % COLORS);
-            Series { name, color, dash: false, style, table, y }
-        });
-        let series = series.collect();
-        self.add(Chart { title: "Learning rates", unit: "", scale, digits: None, series });
     }
 
     /// Adds a chart, without curves that have no value.

@@ -38,9 +38,7 @@ fn step(step: u64) -> Record {
         psnr: 27.0 - 14.0 * (-6.0 * t).exp() + 1.2 * noise,
         tiles_per_second: 90.0 - 30.0 * t + 5.0 * noise,
         gaussians: 1000 + step,
-        rates: [("grids", 1e-2), ("position", 1e-3)]
-            .map(|(name, rate)| (name.to_owned(), (rate * (1.0 - 0.5 * t)) as f32))
-            .into(),
+        rates: BTreeMap::new(),
     }
 }
 
@@ -267,13 +265,7 @@ fn every_number_that_is_drawn_is_in_the_page() {
     for (chart, value) in of_views {
         assert_drawn(chart, "held-out views", &value);
     }
-    for name in ["grids", "position"] {
-        assert_drawn("Learning rates", name, &|record| match record {
-            Record::Step { seconds, rates, .. } => Some([*seconds, f64::from(rates[name])]),
-            _ => None,
-        });
-    }
-    assert_eq!(count, 8 * 150 + 2 * 2);
+    assert_eq!(count, 6 * 150 + 2 * 2);
 }
 
 #[test]
@@ -335,10 +327,9 @@ fn text_of_a_run_is_escaped() {
     };
     records.insert(0, Record::Session { step: 0, session });
     for record in &mut records {
-        if let Record::Step { loss, l1, rates, .. } = record {
+        if let Record::Step { loss, l1, .. } = record {
             *loss = f64::NAN;
             *l1 = -1.0;
-            *rates = [(nasty(), 0.0), ("b".to_owned(), 1.0)].into();
         }
     }
     let row = TimingRow { stage: nasty(), seconds: f64::MAX, share: -1e300 };

@@ -15,11 +15,6 @@ fn scene_is_valid_and_without_warnings() {
 }
 
 #[test]
-fn scene_is_the_same_every_time() {
-    assert!(scene() == scene(), "two calls differ");
-}
-
-#[test]
 fn turntable_goes_around_once() {
     let cameras = turntable(24, 384);
     assert_eq!(cameras.len(), 24);

@@ -1,4 +1,4 @@
-//! Options that all commands share: `--quiet`, `--verbose`, `--json`, help, completions and manual pages.
+//! Options that all commands share: `--quiet`, `--verbose`, `--json`, help and completions.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -208,26 +208,4 @@ fn shells_complete_commands_and_options() {
         assert_eq!(complete("organza render --spl").trim(), "--split");
         assert_eq!(complete("organza render --split h").trim(), "held-out");
     }
-}
-
-#[test]
-fn each_command_has_a_manual_page() {
-    let sandbox = Sandbox::new("tiny");
-    sandbox.run("man -o man/man1").assert_ok();
-    let page = |name: &str| {
-        fs::read_to_string(sandbox.path(&format!("man/man1/{name}.1")))
-            .unwrap_or_else(|_| panic!("{name}"))
-    };
-    assert!(page("organza").contains(".SH SUBCOMMANDS"));
-    let commands = commands(&sandbox);
-    for command in &commands {
-        let page = page(&format!("organza-{command}"));
-        for section in [".SH NAME", ".SH SYNOPSIS", ".SH OPTIONS", "Examples:"] {
-            assert!(page.contains(section), "{command}: no {section}");
-        }
-    }
-    assert_eq!(fs::read_dir(sandbox.path("man/man1")).unwrap().count(), commands.len() + 1);
-    assert!(page("organza-render").contains("\\-\\-half\\-grids"), "the long help");
-    sandbox.write("file", "");
-    sandbox.assert_refuses("man -o file", &["file", "expected a folder"]);
 }

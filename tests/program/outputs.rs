@@ -72,7 +72,7 @@ fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
         let made = Command::new("mkfifo").arg(sandbox.path(name)).status().expect("mkfifo");
         assert!(made.success());
     };
-    for folder in ["images", "frames", "film.png.frames", "demo", "page", "bench", "manual"] {
+    for folder in ["images", "frames", "film.png.frames", "demo", "page"] {
         sandbox.make_folder(folder);
     }
     symlink(&mine, sandbox.path("images/view-000.png")).unwrap();
@@ -80,15 +80,12 @@ fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
     pipe("film.png.frames/00000.png");
     symlink(&mine, sandbox.path("demo/turntable.png")).unwrap();
     symlink(&mine, sandbox.path("page/index.html")).unwrap();
-    symlink(&mine, sandbox.path("bench/results.md")).unwrap();
-    symlink(&mine, sandbox.path("manual/organza.1")).unwrap();
     for words in [
         "render run -o images --split all --backend cpu",
         "film run -o frames --frames 2 --backend cpu",
         "film run -o film.png --frames 2 --backend cpu",
         "demo -o demo --views 2 --size 16 --backend cpu",
         "export-web run -o page --backend cpu",
-        "man -o manual",
     ] {
         let outcome = sandbox.shell(&format!("timeout 60 \"$ORGANZA\" {words}"));
         outcome.assert_refused(&[]);

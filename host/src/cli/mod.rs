@@ -18,7 +18,6 @@ mod import;
 mod info;
 mod inputs;
 mod kernels;
-mod man;
 mod mesh;
 mod output;
 mod parity;
@@ -94,7 +93,6 @@ enum Command {
     Parity(parity::Args),
     Bench(bench::Args),
     Completions(completions::Args),
-    Man(man::Args),
 }
 
 /// Runs the program, and returns its exit code.
@@ -125,7 +123,6 @@ pub fn main() -> ExitCode {
         Command::Parity(args) => parity::run(args, console),
         Command::Bench(args) => bench::run(args, console).map(done),
         Command::Completions(args) => completions::run(args, console).map(done),
-        Command::Man(args) => man::run(args, console).map(done),
     };
     let message = match panic::catch_unwind(run) {
         Ok(Ok(code)) => return code,

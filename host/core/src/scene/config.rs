@@ -275,7 +275,7 @@ mod tests {
 
     const BASIC: &str = r#"{"sh_degree": 3, "material": 8, "extra": 2,
         "color_grid": {"levels": 6, "features": 2, "log2_table": 11, "base_resolution": 8,
-            "growth": 1.7, "interpolation": "linear"},
+            "growth": 1.7},
         "transmittance_grid": {"levels": 5, "features": 2, "log2_table": 11,
             "base_resolution": 8.5, "growth": 1.7},
         "color_mlp": {"hidden": [32, 16]}, "transmittance_mlp": {"hidden": [32]},
@@ -372,7 +372,6 @@ mod tests {
         let bad = [
             (BASIC.replace("\"step\": 0.06,", ""), "missing field `step`"),
             (BASIC.replace("0.06", "\"small\""), "\"step\": \"small\""),
-            (BASIC.replace("linear", "smoothstep"), "`smoothstep`, but grids are linear"),
             (BASIC.replace("\"blur\"", "\"contraction\": \"sphere\", \"blur\""), "`sphere`"),
             (BASIC.replace("\"material\": 8", "\"material\": -8"), "\"material\": -8"),
             (BASIC.replace("0.06", "NaN"), "\"step\": N"),

@@ -19,7 +19,6 @@ const MIN_BASE_RESOLUTION: f64 = 0.5;
 
 /// The configuration of one hash grid, as in a scene's `color_grid` and `transmittance_grid`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "GridFile")]
 pub struct GridConfig {
     /// Number of levels, 1 to [`MAX_LEVELS`].
     pub levels: u32,
@@ -31,35 +30,6 @@ pub struct GridConfig {
     pub base_resolution: f64,
     /// Factor from one level's resolution to the next, at least 1.
     pub growth: f64,
-}
-
-/// A [`GridConfig`] in a file.
-#[derive(Deserialize)]
-struct GridFile {
-    levels: u32,
-    features: u32,
-    log2_table: u32,
-    base_resolution: f64,
-    growth: f64,
-    /// Interpolation of positions inside a cell. Only older files have it.
-    interpolation: Option<String>,
-}
-
-impl TryFrom<GridFile> for GridConfig {
-    type Error = String;
-
-    fn try_from(file: GridFile) -> Result<Self, String> {
-        let GridFile { levels, features, log2_table, base_resolution, growth, interpolation } =
-            file;
-        match interpolation.as_deref() {
-            None | Some("linear") => {
-                Ok(Self { levels, features, log2_table, base_resolution, growth })
-            }
-            Some(other) => Err(format!(
-                "`interpolation` is `{other}`, but grids are linear; train the scene again"
-            )),
-        }
-    }
 }
 
 /// Place of a level in the table, and its mapping from positions to cells.

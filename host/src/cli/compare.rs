@@ -59,7 +59,7 @@ fn warn_of_data(folders: &[PathBuf], console: Console) -> Result<()> {
     for folder in folders {
         // a run that has just begun has no checkpoint
         let Ok(source) = SceneSource::find(folder) else { continue };
-        let Some(trained) = Binding::load(source.file())? else { continue };
+        let trained = Binding::load(source.file())?;
         if let Some((other, on)) = &first
             && let Some(what) = trained.data().difference(on.data())
         {

@@ -56,7 +56,6 @@ pub struct Binding {
     /// Identifies the data set.
     data: Fingerprint,
     /// The version of the program.
-    #[serde(default)]
     version: String,
     /// Earlier changes of settings, oldest first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -83,18 +82,21 @@ impl Binding {
         &self.data
     }
 
-    /// Reads the binding of a checkpoint; `None` if an older program wrote it.
+    /// Reads the binding of a run's checkpoint.
     ///
     /// # Errors
-    /// The same errors as [`Scene::load`](organza_core::Scene::load), for the header; [`Error::Invalid`] if it does not
-    /// parse.
-    pub fn load(path: impl AsRef<Path>) -> Result<Option<Self>> {
+    /// The same errors as [`Scene::load`](organza_core::Scene::load), for the header; [`Error::Invalid`] if there is none, or
+    /// if it does not parse.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let (mut file, length) = open_regular(path)?;
-        let Some(text) = read_metadata(&mut file, length, path, BINDING)? else { return Ok(None) };
-        serde_json::from_str(&text).map(Some).map_err(|_| Error::Invalid {
+        let text = read_metadata(&mut file, length, path, BINDING)?;
+        let binding = text.and_then(|text| serde_json::from_str(&text).ok());
+        binding.ok_or_else(|| Error::Invalid {
             origin: path.to_owned(),
-            reason: format!("its `{BINDING}` metadata does not parse: the checkpoint is damaged"),
+            reason: format!(
+                "it lacks `{BINDING}` metadata, or that does not parse: no run wrote this checkpoint, or it is damaged"
+            ),
         })
     }
 
@@ -154,7 +156,7 @@ impl Binding {
     #[must_use]
     pub fn other_version(&self) -> Option<String> {
         let then = &self.version;
-        (!then.is_empty() && then != VERSION).then(|| {
+        (then != VERSION).then(|| {
             format!(
                 "organza {then} wrote the checkpoint, and this is {VERSION}: the run goes on, but may not end with the same bits"
             )
@@ -222,11 +224,11 @@ pub fn changed_settings_of(
         return Err(Error::Invalid { origin: folder.to_owned(), reason });
     }
     let config = TrainConfig::load(&path)?;
-    let is_begun = fs::exists(&checkpoint).unwrap_or(true);
-    let Some(binding) = is_begun.then(|| Binding::load(&checkpoint)).transpose()?.flatten() else {
+    if !fs::exists(&checkpoint).unwrap_or(true) {
         config.check_complete(&path)?;
         return change(config);
-    };
+    }
+    let binding = Binding::load(&checkpoint)?;
     let step = Progress::load(&checkpoint)?.step;
     // a truncated file does not mean that the user wants the defaults
     if !binding.check_settings(&config, step, folder)?.is_empty() {

@@ -132,13 +132,7 @@ impl Session<'_> {
             );
             return Err(Error::Invalid { origin: self.folder.path().join(CONFIG), reason });
         }
-        let Some(binding) = Binding::load(path)? else {
-            watch(Event::Warning(
-                "an older program wrote the checkpoint, without its settings and data: the run's folder \
-                 gives them, unchecked",
-            ))?;
-            return Ok(Vec::new());
-        };
+        let binding = Binding::load(path)?;
         if let Some(version) = binding.other_version() {
             watch(Event::Warning(&version))?;
         }

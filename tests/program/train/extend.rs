@@ -40,7 +40,7 @@ fn a_killed_extension_ends_with_the_same_bits() {
     let mut found = changes(&sandbox, "run");
     found.sort_by(|a, b| a.name.cmp(&b.name));
     assert_eq!(found, expected);
-    let binding = Binding::load(sandbox.path("run").join(CHECKPOINT)).unwrap().expect("bound");
+    let binding = Binding::load(sandbox.path("run").join(CHECKPOINT)).expect("bound");
     assert_eq!(binding.changes().len(), 2);
     let config = TrainConfig::load(sandbox.path("run/config.toml")).expect("settings");
     assert_eq!((config.run.steps, config.densification.max_gaussians), (40, 450));

@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use serde_json::json;
 
-use super::runs::{TINY, assert_same, bits, photographs, sandbox};
+use super::runs::{TINY, photographs, sandbox};
 use crate::sandbox::{Outcome, Sandbox, wait_until};
 
 const RESUME: &str = "train --resume run --backend cpu";
@@ -69,22 +69,15 @@ fn data_that_is_not_the_checkpoints_is_refused_by_name() {
 }
 
 #[test]
-fn a_checkpoint_of_an_older_program_goes_on_with_a_warning() {
+fn only_a_runs_own_checkpoint_goes_on() {
     let sandbox = sandbox();
-    sandbox.run(&format!("{TINY} whole")).assert_ok();
     sandbox.run(&format!("{TINY} run")).assert_ok();
     sandbox.edit_tensors(SAVED, |metadata, _| {
         assert!(metadata.remove("run").is_some(), "it is bound");
     });
-    sandbox.run(RESUME).assert_ok().says(&["warning: an older program wrote the checkpoint"]);
-    assert_same("run", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
-    // but not with other settings that may have any value
-    sandbox.edit_tensors(SAVED, |metadata, _| {
-        metadata.remove("run");
-    });
-    sandbox.write("run/config.toml", "");
-    sandbox.assert_refuses(RESUME, &["config.toml", "is missing", "cut short"]);
-    sandbox.assert_refuses("eval run --backend cpu", &["config.toml", "is missing"]);
+    for words in [RESUME, "eval run --backend cpu"] {
+        sandbox.assert_refuses(words, &["lacks `run` metadata", "no run wrote this checkpoint"]);
+    }
 }
 
 #[test]

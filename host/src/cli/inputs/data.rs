@@ -183,7 +183,7 @@ impl DataSet {
         let other = data.as_trained(&run.data)?;
         let trained = other.as_ref().or(data.poses.as_ref());
         let binding = Binding::load(scene.file())?;
-        if let (Some(poses), Some(binding)) = (trained, &binding)
+        if let Some(poses) = trained
             && let Some(what) = poses.difference(binding.data())
         {
             let run_data = &run.data.path;
@@ -209,7 +209,7 @@ impl DataSet {
         };
         // smaller photographs may be other files
         let is_same_size = run.data.downscale == data.settings.downscale;
-        if let (Some(poses), Some(binding), true) = (&mut data.poses, binding, is_same_size) {
+        if let Some(poses) = data.poses.as_mut().filter(|_| is_same_size) {
             poses.require(binding.data());
         }
         if run.poses.refine {

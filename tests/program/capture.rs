@@ -248,11 +248,7 @@ const KNOWN: [(&str, &str); 6] = [
 
 /// Versions of COLMAP after which names changed, and those names: of its extractor, and of its matchers.
 const VERSIONS: [[&str; 3]; 3] = [
-    [
-        "3.8",
-        "--SiftExtraction.use_gpu --SiftExtraction.max_image_size",
-        "--SiftMatching.use_gpu",
-    ],
+    ["3.8", "--SiftExtraction.use_gpu --SiftExtraction.max_image_size", "--SiftMatching.use_gpu"],
     [
         "3.13.0",
         "--FeatureExtraction.use_gpu --SiftExtraction.max_image_size",

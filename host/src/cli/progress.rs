@@ -98,8 +98,7 @@ impl TrainingProgress {
     fn step(&mut self, report: &StepReport) {
         self.bar.set(self.step as usize);
         let pace = Some(self.bar.speed()).filter(|speed| *speed > 0.0);
-        let speed =
-            pace.map_or_else(String::new, |speed| format!(", {} steps/s", rounded(speed)));
+        let speed = pace.map_or_else(String::new, |speed| format!(", {} steps/s", rounded(speed)));
         self.bar.say(&format!(
             "{}, {}{speed}",
             error(report.loss, report.psnr),

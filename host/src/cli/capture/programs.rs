@@ -134,9 +134,7 @@ impl Call {
             Some(name) => {
                 self.command.arg(name).arg(value);
             }
-            None => {
-                self.console.warn(&format!("colmap has no option `{name}`, so it is left out"))
-            }
+            None => self.console.warn(&format!("colmap has no option `{name}`, so it is left out")),
         }
     }
 }

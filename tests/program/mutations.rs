@@ -57,44 +57,6 @@ const FILES: [&str; 12] = [
     "data/points.ply",
 ];
 
-/// Words to insert. None is a path to files outside the sandbox.
-const WORDS: [&str; 34] = [
-    "",
-    "-",
-    "--",
-    "0",
-    "-1",
-    "1",
-    "2",
-    "1e9",
-    "NaN",
-    "inf",
-    "4294967295",
-    "4294967296",
-    "18446744073709551616",
-    "0.5",
-    "1,1",
-    "0,0,0",
-    "-1,-1",
-    "0-1",
-    "1-0",
-    ".",
-    "/proc/absent",
-    "/dev/null",
-    "/dev/full",
-    "/dev/zero",
-    "absent",
-    "scene.safetensors",
-    "data",
-    "run",
-    "new/er/est",
-    "--help",
-    "--quiet",
-    "--json",
-    "\u{1b}[2J\n",
-    "a\u{202e}b",
-];
-
 /// A sandbox with all inputs of the commands.
 fn template() -> Sandbox {
     let sandbox = Sandbox::new("tiny");
@@ -122,16 +84,12 @@ fn template() -> Sandbox {
     sandbox
 }
 
-fn mutate_words(words: &mut Vec<String>, random: &mut Random) {
-    let at = random.below(words.len());
-    let word = random.one(&WORDS).to_owned();
-    match random.below(5) {
-        0 => words.insert(at, word),
-        1 if words.len() > 1 => drop(words.remove(at)),
-        2 => words.push(words[at].clone()),
-        3 => words[at] = format!("{}{word}", words[at]),
-        _ => words[at] = word,
-    }
+/// The words of a changed command. None is a path to files outside the sandbox.
+fn mutate_words(command: &str, random: &mut Random) -> Vec<String> {
+    let mut bytes = command.as_bytes().to_vec();
+    (0..=random.below(2)).for_each(|_| mutate_bytes(&mut bytes, random));
+    let text = String::from_utf8_lossy(&bytes).replace("..", "").replace('\0', "");
+    text.split(' ').map(|word| word.trim_start_matches('/').to_owned()).collect()
 }
 
 /// Runs the program with limits; `None` if it did not end.
@@ -186,7 +144,7 @@ fn input(template: &Sandbox, number: u64, seed: u64) -> (Sandbox, Vec<String>, S
     let mut words: Vec<_> = command.split(' ').map(str::to_owned).collect();
     let mut changed = String::new();
     if random.below(3) == 0 {
-        (0..=random.below(2)).for_each(|_| mutate_words(&mut words, &mut random));
+        words = mutate_words(command, &mut random);
     } else {
         // one of the files that the command reads, if there are any
         let read: Vec<_> = FILES

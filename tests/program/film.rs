@@ -61,37 +61,6 @@ fn an_animated_png_has_the_frames_and_their_pace() {
     assert!(!sandbox.path("film.png.frames").exists());
 }
 
-/// For a camera that looks along -z, a plane z = const has the same depth everywhere. The expected numbers are from
-/// `render`.
-#[test]
-fn a_film_of_depth_has_one_range() {
-    let sandbox = Sandbox::new("tiny");
-    let range = "--channel depth --depth-range 0.5,6";
-    sandbox.run(&format!("{FILM} -o frames --frames 2 {range}")).assert_ok();
-    let words = "render scene.safetensors cameras.json -o images --channels depth --backend cpu";
-    sandbox.run(words).assert_ok();
-    let film = pixels(&sandbox, "frames/00000.png");
-    let depth = image::open(sandbox.path("images/0000.depth.png")).unwrap().into_luma16();
-    let mut red_of: Vec<(u16, [u8; 3])> =
-        depth.pixels().zip(film.pixels()).map(|(depth, color)| (depth.0[0], color.0)).collect();
-    assert!(red_of.iter().any(|(depth, _)| *depth > 0));
-    for (depth, color) in &red_of {
-        // Turbo's darkest color is not black
-        assert_eq!(*depth == 0, *color == [0; 3], "{depth} {color:?}");
-    }
-    // equal depths have equal colors, up to rounding to thousandths
-    red_of.sort_unstable();
-    for pair in red_of.windows(2) {
-        if pair[1].0 - pair[0].0 <= 1 && pair[0].0 > 0 {
-            let off = pair[0].1.iter().zip(pair[1].1).map(|(a, b)| a.abs_diff(b)).max().unwrap();
-            assert!(off <= 4, "{pair:?}");
-        }
-    }
-    let said =
-        sandbox.run(&format!("{FILM} -o auto --frames 2 --channel depth")).assert_ok().stderr;
-    assert!(said.contains("depth: red is "), "{said}");
-}
-
 #[test]
 fn finished_frames_are_not_rendered_again() {
     let sandbox = Sandbox::new("tiny");
@@ -138,9 +107,6 @@ fn bad_options_are_refused_at_once() {
         (format!("{FILM} -o out --frames 0"), ["--frames", "1..=99999"]),
         (format!("{FILM} -o out --size 0x7"), ["--size", "1280x720"]),
         (format!("{FILM} -o out --distance 3"), ["--orbit", ""]),
-        (format!("{FILM} -o out --depth-range 1,2"), ["--channel", ""]),
-        (format!("{FILM} -o out --channel alpha --depth-range 1,2"), ["--channel depth", ""]),
-        (format!("{FILM} -o out --channel depth --depth-range 2,1"), ["nearer first", ""]),
         (format!("{FILM} -o film.mp4 --size 33x32"), ["even width", "33x32"]),
         (format!("{FILM} -o cameras.json/film.png"), ["cameras.json is a file", ""]),
         (format!("{scene} -o out --between"), ["does not say what it was trained on", "CAMERAS"]),

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use png::{BitDepth, ColorType};
 
-use super::{Image, Pixels, to_8_bit, visible_pixels};
+use super::{Pixels, visible_pixels};
 use crate::error::argument;
 use crate::{Channel, RenderedTiles, Result, TileBatch, write_atomic};
 use muslin_error::memory;
@@ -107,30 +107,6 @@ impl ChannelImage {
     /// [`Error::WriteFile`](crate::Error::WriteFile).
     pub fn save(&self, path: impl AsRef<Path>, depth_scale: f32) -> Result<()> {
         write_atomic(path, |writer| writer.write_all(&self.encode(depth_scale)?))
-    }
-
-    /// The channel as a picture for people. Depth goes from red at `near` to blue at `far`, in Google's color map
-    /// Turbo. Alpha and visibility go from black, 0, to white, 1. Each component of a normal goes from 0, for -1, to
-    /// 255, for 1. A pixel without Gaussians is black.
-    #[must_use]
-    pub fn picture(&self, [near, far]: [f32; 2]) -> Image {
-        let pixels = self.values.len() / self.channel.planes();
-        let color = |at: usize| match self.channel {
-            Channel::Depth => match self.values[at] {
-                depth if depth > 0.0 => {
-                    let part = ((depth - near) / (far - near)).clamp(0.0, 1.0);
-                    colorous::TURBO.eval_continuous(1.0 - f64::from(part)).into_array()
-                }
-                _ => [0; 3],
-            },
-            Channel::Alpha | Channel::Visibility => [to_8_bit(self.values[at]); 3],
-            Channel::Normal => match [0, 1, 2].map(|plane| self.values[plane * pixels + at]) {
-                [0.0, 0.0, 0.0] => [0; 3],
-                normal => normal.map(|part| to_8_bit(0.5 * part + 0.5)),
-            },
-        };
-        let colors: Vec<_> = (0..pixels).map(color).collect();
-        Image::from_pixels(self.size, &colors)
     }
 
     fn encode(&self, depth_scale: f32) -> io::Result<Vec<u8>> {

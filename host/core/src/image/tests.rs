@@ -122,34 +122,6 @@ fn decode(path: &Path) -> (png::Info<'static>, Vec<u8>) {
     (reader.info().clone(), pixels)
 }
 
-/// The colors at Turbo's ends are d3-scale-chromatic's, rounded down.
-#[test]
-fn channels_make_pictures() {
-    let of = |channel: Channel, value: fn(i32, i32, usize) -> f32| {
-        let batch = TileBatch::cover(0, 4, 1, 4).unwrap();
-        let mut tiles = rendered(&batch, gradient);
-        let values = (0..channel.planes())
-            .flat_map(|plane| (0..16).map(move |at| value(at % 4, at / 4, plane)));
-        tiles.channels.insert(channel, values.collect());
-        let mut image = ChannelImage::new(channel, 4, 1).unwrap();
-        image.paste(&batch, &tiles).unwrap();
-        image
-    };
-    // 0, 1, 2, 3
-    let depth = of(Channel::Depth, |x, _, _| x as f32);
-    let red = [144, 12, 0];
-    let blue = [34, 23, 27];
-    assert_eq!(depth.picture([1.0, 3.0]).pixels()[0], [0; 3]);
-    assert_eq!(depth.picture([1.0, 3.0]).pixels()[1], red);
-    assert_eq!(depth.picture([1.0, 3.0]).pixels()[3], blue);
-    assert_eq!(depth.picture([2.5, 2.6]).pixels()[2..], [red, blue]);
-    let alpha = of(Channel::Alpha, |x, _, _| x as f32 / 2.0);
-    assert_eq!(alpha.picture([0.0, 1.0]).pixels(), [[0; 3], [128; 3], [255; 3], [255; 3]]);
-    let normal =
-        of(Channel::Normal, |x, _, plane| if x == 3 { 0.0 } else { (plane as i32 - 1) as f32 });
-    assert_eq!(normal.picture([0.0, 1.0]).pixels()[2..], [[0, 128, 255], [0; 3]]);
-}
-
 #[test]
 fn other_programs_read_the_files() {
     let folder = tempfile::tempdir().unwrap();

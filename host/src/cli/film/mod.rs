@@ -2,16 +2,13 @@
 
 mod film_path;
 
-use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::film::{FilmKind, Frames};
-use organza::image::ChannelImage;
-use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
+use organza::{Camera, DeviceScene, Image, Renderer, Result};
 use serde::Serialize;
 
-use super::channels::ChannelName;
 use super::console::{Console, Progress, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, Shown};
@@ -22,18 +19,12 @@ use super::summary::{Cost, Summary, count};
 use super::{refuse, text_of};
 use film_path::{Inputs, PathArgs, described};
 
-/// Number of frames that determine the range of a film's depths, and the divisor of their sides.
-const PROBES: usize = 5;
-const PROBE_SHRINK: u32 = 4;
-/// Part of the depths that the range leaves out at each end.
-const LEFT_OUT: f64 = 0.01;
-
 const EXAMPLES: &str = "\
 Examples:
   organza film run -o film.mp4                                      on an arc or a ring, where the run's cameras stood
   organza film run -o film.mp4 --between --views 0,10,20,30 --loop  through cameras of its data set
   organza film scene.safetensors keys.json -o film.mp4              through keyframes of your own
-  organza film run -o depth.mp4 --channel depth --size 1280x720
+  organza film run -o small.mp4 --size 1280x720
   organza film run -o frames --frames 600                           a folder of PNG images
   organza film scene.safetensors -o film.png --orbit --distance 4 --elevation 20
 
@@ -71,14 +62,6 @@ pub struct Args {
     /// Replace the frames of another film, and write to a folder with other files, which stay
     #[arg(long)]
     overwrite: bool,
-    /// Show a channel instead of the color: depth from red (near) to blue, alpha and visibility in gray, a normal as a
-    /// color
-    #[arg(long, value_enum)]
-    channel: Option<ChannelName>,
-    /// Depths shown as red and as blue, in world units [default: from a few frames]
-    #[arg(long, value_name = "NEAR,FAR", value_parser = depth_range, allow_hyphen_values = true)]
-    #[arg(requires = "channel")]
-    depth_range: Option<[f32; 2]>,
     /// Print JSON: the film, and the cost of rendering (docs/json.md)
     #[arg(long)]
     json: bool,
@@ -92,21 +75,10 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-fn depth_range(text: &str) -> Result<[f32; 2], String> {
-    let number = |text: &str| text.trim().parse().ok().filter(|value: &f32| value.is_finite());
-    let range = text.split_once(',').and_then(|(near, far)| Some([number(near)?, number(far)?]));
-    let range = range.filter(|[near, far]| near < far);
-    range.ok_or_else(|| "expected two depths NEAR,FAR such as 1.5,8, the nearer first".to_owned())
-}
-
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let shown = Shown::find(&args.scene, &args.cameras)?;
     let source = &shown.source;
     let kind = FilmKind::from_path(&args.output)?;
-    let channel = args.channel.map(ChannelName::channel);
-    if args.depth_range.is_some() && channel != Some(Channel::Depth) {
-        return refuse("`--depth-range` is for `--channel depth`");
-    }
     let scene = source.load(console)?;
     let inputs =
         Inputs { source, scene: &scene, named: shown.cameras.as_deref(), data: &args.data };
@@ -114,7 +86,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let size @ [width, height] = [path.frames[0].width, path.frames[0].height];
     kind.check(size)?;
     Image::check_memory(width, height)?;
-    ChannelImage::check_memory(channel.as_slice(), width, height)?;
     if kind != FilmKind::Frames {
         let origin = path.cameras.iter().map(|cameras| cameras.origin.as_path());
         let inputs: Vec<_> = origin.chain([source.named(), source.file()]).collect();
@@ -127,15 +98,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
     let renderer = args.device.open(console)?;
     let scene = shown.upload(&scene, &args.scene_args, &renderer, console)?;
-    let mut film = Film { renderer: &renderer, scene: &scene, cameras: &path.frames, look: None };
-    if let Some(channel) = channel {
-        let range = match (channel, args.depth_range) {
-            (_, Some(range)) => range,
-            (Channel::Depth, None) => film.depth_range(console)?,
-            _ => [0.0, 1.0],
-        };
-        film.look = Some((channel, range));
-    }
+    let film = Film { renderer: &renderer, scene: &scene, cameras: &path.frames };
     let made = film.make(args, kind, &shown, console)?;
     if args.json { print_json(&made) } else { Ok(()) }
 }
@@ -159,8 +122,6 @@ struct Film<'a> {
     renderer: &'a Renderer,
     scene: &'a DeviceScene,
     cameras: &'a [Camera],
-    /// The channel shown instead of color, and the range of depths.
-    look: Option<(Channel, [f32; 2])>,
 }
 
 impl Film<'_> {
@@ -171,7 +132,7 @@ impl Film<'_> {
         };
         let mut folder = Folder::make(&folder)?;
         folder.lock()?;
-        let how = (self.cameras, self.look, args.scene_args.options(), shown.others()?);
+        let how = (self.cameras, args.scene_args.options(), shown.others()?);
         continue_film(&folder, shown.source.file(), &how, args.overwrite)?;
         let file = |frame: usize| folder.file(&format!("{frame:05}.png"));
         let files = (0..self.cameras.len()).map(file).collect::<Result<Vec<_>>>()?;
@@ -256,46 +217,9 @@ impl Film<'_> {
         summary: &mut Summary,
         progress: &Progress,
     ) -> Result<Image> {
-        let Self { renderer, scene, cameras, look } = *self;
+        let Self { renderer, scene, cameras } = *self;
         let pictures = Pictures { renderer, scene, cameras, stop };
-        let channels: Vec<_> = look.iter().map(|(channel, _)| *channel).collect();
-        let (image, beside) = pictures.render_channels(frame, &channels, summary, progress)?;
-        Ok(look.map_or(image, |(_, range)| beside[0].picture(range)))
-    }
-
-    /// The range of depths in a few small frames, without the nearest and the farthest few.
-    fn depth_range(&self, console: Console) -> Result<[f32; 2]> {
-        let last = self.cameras.len() - 1;
-        let probes: BTreeSet<_> = (0..PROBES).map(|probe| probe * last / (PROBES - 1)).collect();
-        let small = |&frame: &usize| self.cameras[frame].shrunk(PROBE_SHRINK);
-        let cameras: Vec<_> = probes.iter().map(small).collect();
-        let renderer = self.renderer;
-        let scene = self.scene;
-        let pictures = Pictures { renderer, scene, cameras: &cameras, stop: None };
-        let mut depths = Vec::new();
-        console.during("looking at depths", || {
-            for view in 0..cameras.len() {
-                let summary = &mut Summary::start();
-                let progress = &console.hidden();
-                let (_, beside) =
-                    pictures.render_channels(view, &[Channel::Depth], summary, progress)?;
-                depths.extend(beside[0].values().iter().filter(|depth| **depth > 0.0));
-            }
-            Ok::<_, organza::Error>(())
-        })?;
-        depths.sort_by(f32::total_cmp);
-        let at = |part: f64| {
-            let place = part * (depths.len().max(1) - 1) as f64;
-            depths.get(place as usize).copied().unwrap_or(1.0)
-        };
-        let near = at(LEFT_OUT);
-        let far = at(1.0 - LEFT_OUT);
-        // a flat scene has a range, too
-        let far = far.max(near * 1.001);
-        console.note(&format!(
-            "depth: red is {near:.4}, blue is {far:.4}; `--depth-range` changes it"
-        ));
-        Ok([near, far])
+        pictures.render_channels(frame, &[], summary, progress).map(|(image, _)| image)
     }
 }
 

@@ -217,54 +217,30 @@ fn every_block_of_python_runs() {
     }
 }
 
-/// Rust code in the README is part of the library's documentation, which is compiled.
+/// Rust code of the README is in the library's documentation, and of the guide in the example. A block that begins with the
+/// path of a file is in that file. All of these are compiled.
 #[test]
-fn rust_in_the_readme_is_compiled() {
-    let library = fs::read_to_string(root().join("host/src/lib.rs")).expect("the library");
+fn rust_of_the_pages_is_compiled() {
+    let read = |path: &str| fs::read_to_string(root().join(path)).expect("a file");
+    let library = read("host/src/lib.rs");
     let lines = library.lines().filter_map(|line| line.strip_prefix("//!"));
-    let lines: Vec<_> = lines.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
-    let shown: Vec<_> = lines.into_iter().filter(|line| !line.starts_with("# ")).collect();
-    let text = shown.join("\n");
-    for Block { page, text: block, .. } in
-        blocks().iter().filter(|block| block.page == "README.md" && block.language == "rust")
-    {
-        assert!(text.contains(block), "{page}: not in host/src/lib.rs:\n{block}");
-    }
-}
-
-/// Rust code of the guide is in the example, which is built and tested as a project of its own.
-#[test]
-fn rust_in_the_guide_is_in_the_example() {
-    let read = |file: &str| fs::read_to_string(root().join("kit/examples/picture").join(file));
-    let files = ["kernels/src/lib.rs", "src/lib.rs", "tests/kernels.rs"];
-    let files = files.map(|file| read(file).expect("a file of the example"));
+    let lines = lines.map(|line| line.strip_prefix(' ').unwrap_or(line));
+    let library = lines.filter(|line| !line.starts_with("# ")).collect::<Vec<_>>().join("\n");
+    let example = ["kernels/src/lib.rs", "src/lib.rs", "tests/kernels.rs"];
+    let example = example.map(|file| read(&format!("kit/examples/picture/{file}"))).concat();
     let mut shown = 0;
     for Block { page, language, text } in blocks() {
-        if page == "docs/adding-a-kernel.md" && language == "rust" {
-            let is_there = files.iter().any(|file| file.contains(text.trim()));
-            assert!(is_there, "{page}: not in the example:\n{text}");
-            shown += 1;
-        }
-    }
-    assert!(shown >= 6, "the guide shows {shown} blocks");
-}
-
-/// Rust code that begins with the path of a file is in that file.
-#[test]
-fn rust_of_a_file_is_in_it() {
-    let mut shown = 0;
-    for Block { page, text, .. } in blocks() {
-        let Some((path, code)) = text.strip_prefix("// ").and_then(|text| text.split_once('\n'))
-        else {
-            continue;
+        let named = text.strip_prefix("// ").and_then(|text| text.split_once('\n'));
+        let (file, code) = match (named, &*page, &*language) {
+            (Some((path, code)), ..) if path.ends_with(".rs") => (read(path), code),
+            (_, "README.md", "rust") => (library.clone(), &*text),
+            (_, "docs/adding-a-kernel.md", "rust") => (example.clone(), &*text),
+            _ => continue,
         };
-        if path.ends_with(".rs") {
-            let file = fs::read_to_string(root().join(path)).expect("a file of the repository");
-            assert!(file.contains(code.trim()), "{page}: not in {path}:\n{code}");
-            shown += 1;
-        }
+        assert!(file.contains(code.trim()), "{page}: in no file that is compiled:\n{text}");
+        shown += 1;
     }
-    assert!(shown >= 1, "no page shows a file");
+    assert!(shown >= 8, "the pages show {shown} blocks");
 }
 
 /// A block that the tests above do not know would never be run.

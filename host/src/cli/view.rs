@@ -8,7 +8,9 @@ use std::sync::mpsc::channel;
 use std::time::Duration;
 
 use organza::data::{Point, Pose};
-use organza::view::{About, Editor, FrameRenderer, Photographs, Purpose, Queue, Server, Stage};
+use organza::view::{
+    About, Editor, FrameRenderer, Photographs, Places, Purpose, Queue, Server, Stage,
+};
 use organza::web::PageOptions;
 use organza::{Camera, Result};
 
@@ -26,6 +28,7 @@ Examples:
   ssh -L 4747:localhost:4747 machine         then `organza view run` there, and the same address here
   organza view run --bind 0.0.0.0            for other machines; keep the address secret
   organza view run --edit cropped.safetensors    remove Gaussians on the page
+  organza view room.safetensors mug.safetensors@mug.json    move the mug on the page, and save its place
   organza view run --client                  the browser's GPU renders
 
 The page shows the scene while you move through it, coarsely at first. When the camera rests, the image becomes that \
@@ -143,7 +146,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let title = title(source.named());
     let has_photographs = !photographs.is_empty();
     let purpose = if args.edit.is_some() { Purpose::Edit } else { Purpose::Look };
-    let about = About::new(&title, &renderer, &uploaded, &poses, has_photographs, &points, purpose);
+    let about = About::new(&title, &uploaded, &poses, has_photographs, &points, purpose);
     let editor = args.edit.as_ref();
     let cameras = poses.into_iter().map(|pose| pose.camera).collect();
     let editor = editor.map(|file| Editor::new(scene, cameras, args.scene_args.options(), file));
@@ -158,8 +161,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         }
     };
     at_signals(handler)?;
-    let mut frame_renderer =
-        FrameRenderer::new(Arc::clone(&queue), photographs).with_editor(editor);
+    let frame_renderer = FrameRenderer::new(Arc::clone(&queue), photographs);
+    let places = Places::new(&uploaded, shown.places());
+    let mut frame_renderer = frame_renderer.with_editor(editor).with_places(places);
     let url = server.url();
     let films = server.start(Arc::clone(&queue), about, None)?;
     args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);

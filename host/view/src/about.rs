@@ -7,11 +7,12 @@ use serde_json::json;
 use super::home::home;
 use super::message::Mode;
 use crate::film::FilmKind;
+use muslin_device::Buffer;
 use organza_core::camera::{Camera, Orbit, upward};
 use organza_core::demo;
 use organza_core::scene::{Placement, bounds};
 use organza_data::{Point, Pose};
-use organza_render::{DeviceScene, Renderer};
+use organza_render::DeviceScene;
 
 /// Most points that the page draws; others are left out.
 const MAX_POINTS: usize = 20_000;
@@ -43,7 +44,6 @@ impl About {
     /// Facts about a scene and its data set. `title` is the path that the user named.
     pub fn new(
         title: &str,
-        renderer: &Renderer,
         scene: &DeviceScene,
         poses: &[Pose],
         photographs: bool,
@@ -52,19 +52,12 @@ impl About {
     ) -> Self {
         let config = scene.config();
         let gaussians = &scene.tensors().gaussians;
-        // nothing, if the device fails
-        let read = |values| renderer.device().read(values).unwrap_or_default();
-        let [position, opacity] = [&gaussians.position, &gaussians.opacity].map(read);
-        let position = position.as_chunks().0;
+        let [position, opacity] =
+            [&gaussians.position, &gaussians.opacity].map(|values| read(scene, values));
         let cameras: Vec<_> = poses.iter().map(|pose| pose.camera.clone()).collect();
-        let home = home(&cameras, position, &opacity);
+        let home = home(&cameras, position.as_chunks().0, &opacity);
         // data sets have views of their own to begin with
-        let visible = match home {
-            None if !opacity.is_empty() => {
-                bounds(position, read(&gaussians.log_scale).as_chunks().0, &opacity)
-            }
-            _ => config.aabb,
-        };
+        let visible = if home.is_none() { visible_box(scene) } else { config.aabb };
         let home = home.cloned().unwrap_or_else(|| overview(visible));
         let [low, high] = visible.map(DVec3::from);
         let center = (low + high) / 2.0;
@@ -80,8 +73,9 @@ impl About {
         let told = json!({
             "title": title,
             "version": env!("CARGO_PKG_VERSION"),
-            "device": renderer.device().choice(),
+            "device": scene.device().choice(),
             "gaussians": scene.len(),
+            "scenes": scene.all().count(),
             "aabb": config.aabb,
             // the page computes in the scene's coordinates, and shows the world's
             "placement": config.placement,
@@ -111,6 +105,23 @@ impl About {
 
     pub(super) fn points(&self) -> &[u8] {
         &self.points
+    }
+}
+
+/// A tensor's values; nothing, if the device fails.
+fn read(scene: &DeviceScene, values: &Buffer<f32>) -> Vec<f32> {
+    scene.device().read(values).unwrap_or_default()
+}
+
+/// The box of nearly all of a scene's opacity, in its own coordinates.
+pub fn visible_box(scene: &DeviceScene) -> [[f64; 3]; 2] {
+    let gaussians = &scene.tensors().gaussians;
+    let [position, log_scale, opacity] =
+        [&gaussians.position, &gaussians.log_scale, &gaussians.opacity]
+            .map(|values| read(scene, values));
+    match opacity.is_empty() {
+        true => scene.config().aabb,
+        false => bounds(position.as_chunks().0, log_scale.as_chunks().0, &opacity),
     }
 }
 

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::message::{FrameRequest, Mode, Quality};
 use super::picture::{self, Range};
 use super::queue::{FrameJob, NextJob, Payload, Question, Queue};
-use crate::{Editor, Photographs, Stage};
+use crate::{Editor, Photographs, Places, Stage};
 use organza_core::error::{self, Result, refuse};
 use organza_core::image::{ChannelImage, Image, TILE_SIDE};
 use organza_core::{Camera, RenderReport, TileBatch};
@@ -31,6 +31,7 @@ pub struct FrameRenderer {
     eyes: Vec<Eye>,
     /// None if pages may not change the scene.
     editor: Option<Editor>,
+    places: Places,
 }
 
 /// Data kept for a client.
@@ -45,7 +46,7 @@ struct Eye {
 impl FrameRenderer {
     /// A frame renderer that takes requests from `queue`.
     pub fn new(queue: Arc<Queue>, photographs: Photographs) -> Self {
-        Self { queue, photographs, eyes: Vec::new(), editor: None }
+        Self { queue, photographs, eyes: Vec::new(), editor: None, places: Places::default() }
     }
 
     /// Pages may change what is shown with this editor of the same scene.
@@ -54,11 +55,18 @@ impl FrameRenderer {
         Self { editor, ..self }
     }
 
+    /// Pages may move these scenes, which are shown with the first one.
+    #[must_use]
+    pub fn with_places(self, places: Places) -> Self {
+        Self { places, ..self }
+    }
+
     /// Answers one request, waiting for it for up to `patience`. Returns whether there was one.
     pub fn serve(&mut self, stage: Stage<'_>, patience: Duration) -> bool {
         let Some(job) = self.queue.take(patience) else { return false };
-        let (edited, changes) = self.editor.as_ref().map(Editor::shown).unwrap_or_default();
-        let scene = edited.as_deref().unwrap_or(stage.scene);
+        let (changed, changes) =
+            self.editor.as_ref().map_or_else(|| self.places.shown(), Editor::shown);
+        let scene = changed.as_deref().unwrap_or(stage.scene);
         let stage = Stage { scene, version: stage.version + changes, ..stage };
         match job {
             NextJob::Question(question, reply) => {
@@ -121,7 +129,7 @@ impl FrameRenderer {
             "mode": job.request.mode,
             "size": image.size(),
             "version": stage.version,
-            "gaussians": stage.scene.len(),
+            "gaussians": stage.scene.all().map(DeviceScene::len).sum::<usize>(),
             "pairs": report.pairs,
             "members": report.intersections,
             // computed for this image; the eye keeps others from earlier images
@@ -145,7 +153,10 @@ impl FrameRenderer {
         let mut eye = found.map_or_else(new, |at| self.eyes.remove(at));
         if eye.version != version {
             eye.version = version;
-            eye.cache = EyeCache::default();
+            match self.places.shown() {
+                (Some(_), _) => eye.cache.outdate(),
+                (None, _) => eye.cache = EyeCache::default(),
+            }
         }
         self.eyes.push(eye);
         self.eyes.last_mut().expect("pushed above")
@@ -169,6 +180,10 @@ impl FrameRenderer {
                     return refuse("the scene is not edited: begin with `--edit FILE`");
                 };
                 let bytes = editor.answer(stage, request)?;
+                Ok(rendered_as("application/json", bytes, &json!({})))
+            }
+            Question::Place(request) => {
+                let bytes = self.places.answer(stage, *request)?;
                 Ok(rendered_as("application/json", bytes, &json!({})))
             }
         }

@@ -9,6 +9,7 @@ use tokio::sync::oneshot;
 
 use super::editor::EditRequest;
 use super::message::{FrameRequest, Quality};
+use super::places::PlaceRequest;
 use organza_core::camera::Camera;
 
 /// Number of clients that are remembered.
@@ -45,6 +46,8 @@ pub enum Question {
     Photograph(usize),
     /// A change to the scene.
     Edit(Box<EditRequest>),
+    /// A scene's new place; `None` changes nothing.
+    Place(Option<PlaceRequest>),
 }
 
 /// The next request to handle.

@@ -296,6 +296,10 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
             let request = parsed(&body(request).await?)?;
             ask(viewer, Question::Edit(request)).await
         }
+        (&Method::POST, "/places") => {
+            let request = parsed(&body(request).await?)?;
+            ask(viewer, Question::Place(request)).await
+        }
         (&Method::POST, "/cameras.json") => {
             let keyframes: Vec<Camera> = parsed(&body(request).await?)?;
             json(&keyframes::write(&keyframes, &viewer.about.placement).map_err(refused)?)
@@ -422,7 +426,7 @@ const SCRIPT: &str = "text/javascript; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 
 /// Every file of the page.
-const ASSETS: [Asset; 17] = [
+const ASSETS: [Asset; 19] = [
     ("/", PAGE, include_str!("page/index.html")),
     ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
     ("/page.css", STYLE, include_str!("page/page.css")),
@@ -436,6 +440,8 @@ const ASSETS: [Asset; 17] = [
     ("/keyframes.js", SCRIPT, include_str!("page/keyframes.js")),
     ("/measure.js", SCRIPT, include_str!("page/measure.js")),
     ("/overlay.js", SCRIPT, include_str!("page/overlay.js")),
+    ("/places.js", SCRIPT, include_str!("page/places.js")),
+    ("/tool.js", SCRIPT, include_str!("page/tool.js")),
     ("/page.js", SCRIPT, include_str!("page/page.js")),
     ("/training.js", SCRIPT, include_str!("page/training.js")),
     ("/uplot.js", SCRIPT, UPLOT_SCRIPT),

@@ -145,8 +145,7 @@ impl<'a> TrainingView<'a> {
             Pose { camera, held_out: held_out.contains(&index), photograph: None, distorted: false }
         };
         let poses: Vec<_> = frames.iter().enumerate().map(pose).collect();
-        let about =
-            About::new(&self.title, self.renderer, scene, &poses, true, points, Purpose::Train);
+        let about = About::new(&self.title, scene, &poses, true, points, Purpose::Train);
         server.start(Arc::clone(&self.queue), about, Some(Arc::clone(&self.training_status)))
     }
 }

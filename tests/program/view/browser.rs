@@ -2,7 +2,9 @@
 
 use std::fs;
 
+use glam::{DQuat, DVec3};
 use image::RgbImage;
+use organza::scene::Place;
 use serde_json::{Value, json};
 
 use super::chromium::{Page, base64, program};
@@ -28,11 +30,28 @@ fn middle(page: &mut Page) -> [f64; 2] {
     serde_json::from_value(middle).expect("a place")
 }
 
+/// Where a handle of a tool is on the screen.
+fn handle_of(page: &mut Page, tool: &str, index: usize) -> [f64; 2] {
+    let place = page.eval(&format!(
+        "(async () => {{ const {{ project }} = await import('./camera.js'); \
+         const {{ place }} = organza.{tool}.handles()[{index}]; const {{ camera }} = organza.view; \
+         const [x, y] = project(camera, place); \
+         const box = document.getElementById('overlay').getBoundingClientRect(); \
+         return [box.left + x / camera.w * box.width, box.top + y / camera.h * box.height]; }})()"
+    ));
+    serde_json::from_value(place).expect("a place")
+}
+
 /// The output of `render` for the camera of the page.
 fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value) -> RgbImage {
+    rendered_of(sandbox, viewer, camera, "scene.safetensors")
+}
+
+/// The same of these scenes.
+fn rendered_of(sandbox: &Sandbox, viewer: &Viewer, camera: &Value, scenes: &str) -> RgbImage {
     let file = viewer.post("/cameras.json", &json!([camera])).ok();
     sandbox.write("shown.json", file.body);
-    sandbox.run("render scene.safetensors shown.json -o shown --backend cpu").assert_ok();
+    sandbox.run(&format!("render {scenes} shown.json -o shown --backend cpu")).assert_ok();
     pixels(&fs::read(sandbox.path("shown/0000.png")).expect("an image"))
 }
 
@@ -211,6 +230,81 @@ fn a_training_in_a_browser() {
     assert!(page.errors.is_empty(), "{:?}", page.errors);
 }
 
+/// Handles move a scene that is shown with the first one, and what is saved renders as what was shown.
+#[test]
+fn a_scene_is_moved_in_a_browser() {
+    let Some(program) = program() else { return };
+    let sandbox = Sandbox::new("basic");
+    sandbox.copy_file("scene.safetensors", "b.safetensors");
+    sandbox.write("b.json", r#"{"offset": [0.2, 0, 0.1], "turn": [30, 0, 40], "scale": 0.5}"#);
+    let both = "scene.safetensors b.safetensors@b.json";
+    let words = format!("view {both} cameras.json --port 0 --backend cpu");
+    let viewer = Viewer::start(&sandbox, &words);
+    let mut page = Page::open(program, &viewer.url(), [700, 640]);
+    page.wait("organza.places.scenes.length === 1");
+    let said = |page: &mut Page| page.eval("document.getElementById('place-words').value");
+    let place = |page: &mut Page| -> Place {
+        page.eval("organza.places.asked");
+        serde_json::from_str(said(page).as_str().expect("text")).expect("a place")
+    };
+    page.eval("{ const box = document.getElementById('scene'); box.value = 1; box.onchange(); }");
+    page.wait(REST);
+    let pose = page.eval("organza.view.camera");
+    let first = place(&mut page);
+    let ball = "organza.places.scene.center.concat(organza.places.scene.radius)";
+    let ball =
+        |page: &mut Page| -> [f64; 4] { serde_json::from_value(page.eval(ball)).expect("a ball") };
+    let mut before = first;
+    let mut at = ball(&mut page);
+    for (handle, by) in [(0, [40.0, 12.0]), (1, [5.0, -30.0]), (2, [50.0, 0.0]), (3, [20.0, 0.0])] {
+        let from = handle_of(&mut page, "places", handle);
+        page.drag(from, [from[0] + by[0], from[1] + by[1]]);
+        let after = place(&mut page);
+        let moved = ball(&mut page);
+        let off: Vec<_> = moved.iter().zip(at).map(|(to, from)| to - from).collect();
+        let is_still = off[..3].iter().all(|x| x.abs() < 1e-3);
+        match handle {
+            0 => assert!(!is_still && (after.turn, after.scale) == (first.turn, first.scale)),
+            1 => assert!(off[2] > 0.01 && off[..2].iter().all(|x| x.abs() < 1e-3), "{off:?}"),
+            2 => assert!(is_still && after.turn != before.turn && after.scale == first.scale),
+            _ => assert!(is_still && off[3] > 0.01 && after.scale > first.scale, "{off:?}"),
+        }
+        (before, at) = (after, moved);
+    }
+    assert_eq!(page.eval("organza.view.camera"), pose, "the camera moves with the scene");
+    page.wait(REST);
+    page.screenshot("viewer-places");
+    let shown = |page: &mut Page| pixels(&base64(page.eval(SHOWN).as_str().expect("bytes")));
+    let moved = shown(&mut page);
+    sandbox.write("b.json", said(&mut page).as_str().expect("text"));
+    assert!(moved == rendered_of(&sandbox, &viewer, &pose, both), "another place was saved");
+
+    // a turn is composed as in the program
+    let up = DVec3::Z;
+    let turned = page.eval(
+        "import('./places.js').then(({ followed }) => followed([30, 0, 40], [0, 0, 1], 0.5))",
+    );
+    let turned: [f64; 3] = serde_json::from_value(turned).expect("a turn");
+    let quaternion =
+        |turn: [f64; 3]| DQuat::from_scaled_axis(DVec3::from(turn.map(f64::to_radians)));
+    let expected = DQuat::from_axis_angle(up, 0.5) * quaternion([30.0, 0.0, 40.0]);
+    assert!(quaternion(turned).angle_between(expected) < 1e-6, "{turned:?}");
+
+    // what is written counts, and undo takes it back
+    page.eval(
+        "{ const words = document.getElementById('place-words'); words.value = '{\"scale\": 0.25}'; words.onchange(); }",
+    );
+    let written = Place { scale: 0.25, ..Place::default() };
+    assert_eq!(place(&mut page), written);
+    page.wait(REST);
+    assert!(shown(&mut page) != moved);
+    page.key("z");
+    assert_eq!(place(&mut page), before);
+    page.wait(REST);
+    assert!(shown(&mut page) == moved, "undo");
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+}
+
 /// A box and a brush remove Gaussians, undo brings them back, and what is saved renders as what was shown.
 #[test]
 fn a_scene_is_edited_in_a_browser() {
@@ -227,20 +321,10 @@ fn a_scene_is_edited_in_a_browser() {
 
     // the box, drawn at half of its size along x with its handle
     page.key("b");
-    let handle = |page: &mut Page| -> [f64; 2] {
-        let place = page.eval(
-            "(async () => { const { project } = await import('./camera.js'); \
-             const { place } = organza.edit.handles()[1]; const { camera } = organza.view; \
-             const [x, y] = project(camera, place); \
-             const box = document.getElementById('overlay').getBoundingClientRect(); \
-             return [box.left + x / camera.w * box.width, box.top + y / camera.h * box.height]; })()",
-        );
-        serde_json::from_value(place).expect("a place")
-    };
     let high = |page: &mut Page| page.eval("organza.edit.box[1][0]").as_f64().expect("a number");
     let before = high(&mut page);
     let pose = page.eval("organza.view.camera");
-    let from = handle(&mut page);
+    let from = handle_of(&mut page, "edit", 1);
     let middle = middle(&mut page);
     let to = [0, 1].map(|axis| from[axis] + 0.4 * (middle[axis] - from[axis]));
     page.drag(from, to);

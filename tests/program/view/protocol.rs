@@ -373,6 +373,41 @@ fn a_scene_is_edited_only_where_that_is_allowed() {
     assert_eq!(sandbox.read("cut.safetensors"), sandbox.read("cut-3.safetensors"));
 }
 
+/// Places that are asked for are checked, and none but the last good one is shown.
+#[test]
+fn places_of_scenes_are_checked() {
+    let sandbox = Sandbox::new("tiny");
+    let alone = Viewer::start(&sandbox, VIEW);
+    assert_eq!(alone.post("/places", &json!({"scene": 1, "place": {}})).status, 422);
+    assert_eq!(alone.post("/places", &json!(null)).json(), json!([]));
+    drop(alone);
+    sandbox.copy_file("scene.safetensors", "b.safetensors");
+    sandbox.write("b.json", "{}");
+    let words = "view scene.safetensors b.safetensors@b.json cameras.json --port 0 --backend cpu";
+    let viewer = Viewer::start(&sandbox, words);
+    assert_eq!(viewer.scene()["scenes"], 2);
+    let camera = viewer.scene()["home"].clone();
+    let exact = || pixels(&viewer.frame(&camera, "exact", &json!({})).ok().body);
+    let before = exact();
+    for (request, status) in [
+        (json!({"scene": 0, "place": {}}), 422),
+        (json!({"scene": 2, "place": {}}), 422),
+        (json!({"scene": 1, "place": {"scale": 0}}), 422),
+        (json!({"scene": 1, "place": {"offset": [1e300, 0, 0]}}), 422),
+        (json!({"scene": 1, "place": {"size": 2}}), 400),
+        (json!({"scene": 0}), 400),
+    ] {
+        assert_eq!(viewer.post("/places", &request).status, status, "{request}");
+    }
+    assert!(exact() == before);
+    let place = json!({"offset": [0.1, 0.0, 0.2], "turn": [0.0, 0.0, 90.0], "scale": 0.5});
+    let told = viewer.post("/places", &json!({"scene": 1, "place": place})).json();
+    assert_eq!((&told[0]["name"], &told[0]["place"]), (&json!("b.safetensors"), &place));
+    assert!(exact() != before);
+    viewer.post("/places", &json!({"scene": 1, "place": {}})).ok();
+    assert!(exact() == before);
+}
+
 /// The page's slider: it looks at view after view, hides, undoes, and keeps what `organza edit` keeps, to the bit.
 #[test]
 fn floaters_are_hidden_and_removed_as_by_the_command() {

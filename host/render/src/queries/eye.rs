@@ -31,9 +31,11 @@ const GPU_PAIRS: usize = 1 << 17;
 /// Blocks of 8 x 8 pixels of the built-in scene then differ from the exact image by up to 10 levels of 255; with 0.12 radians,
 /// by up to 13.
 const ANGLE: f32 = 0.07;
+/// The eye of a value that is old, as seen from anywhere: farther than any camera can be.
+const ELSEWHERE: Vec3 = Vec3::splat(1e17);
 
 /// Colors c (Eq. 3) and transmittances T (Eq. 11) of a scene's Gaussians, as seen from one place. After the scene changes,
-/// start with a new cache.
+/// start with a new cache; after another one was moved, see [`EyeCache::outdate`].
 #[derive(Debug, Default)]
 pub struct EyeCache {
     /// The place in world space, as kernels read it.
@@ -89,6 +91,13 @@ impl EyeCache {
             gaussians: all.gaussians + other.gaussians,
             evaluated: all.evaluated + other.evaluated,
         })
+    }
+
+    /// Makes all values old, after a scene was [moved](DeviceScene::moved).
+    pub fn outdate(&mut self) {
+        let known = self.eyes.iter_mut().filter(|eye| eye.is_finite());
+        known.for_each(|eye| *eye = ELSEWHERE);
+        self.beside.iter_mut().for_each(Self::outdate);
     }
 
     /// Moves the eye to a camera of the first scene. All values of another eye become old.

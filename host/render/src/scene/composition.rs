@@ -38,8 +38,26 @@ impl DeviceScene {
         Ok(())
     }
 
-    /// This scene and those that are shown with it.
-    pub(crate) fn all(&self) -> impl Iterator<Item = &Self> {
+    /// The same scenes, on the same memory, with one of [`DeviceScene::all`] but the first at another place.
+    ///
+    /// # Errors
+    /// The same errors as [`DeviceScene::put`].
+    pub fn moved(&self, index: usize, place: Placement) -> Result<Self> {
+        let mut all = Self { beside: Vec::new(), fields: Vec::new(), ..self.clone() };
+        for (at, other) in self.all().enumerate().skip(1) {
+            let place = if at == index { place } else { other.place };
+            all.put(Self { fields: Vec::new(), ..other.clone() }, place)?;
+        }
+        Ok(all)
+    }
+
+    /// Where this scene lies in the coordinates of the first one.
+    pub fn place(&self) -> &Placement {
+        &self.place
+    }
+
+    /// This scene and those that are shown with it, in the order of [`DeviceScene::put`].
+    pub fn all(&self) -> impl Iterator<Item = &Self> {
         std::iter::once(self).chain(&self.beside)
     }
 

@@ -12,7 +12,7 @@ use super::SceneSource;
 use crate::cli::console::Console;
 use crate::cli::device::SceneArgs;
 use crate::cli::output::made_of;
-use crate::cli::refuse;
+use crate::cli::{refuse, title};
 
 /// Most bytes of a file that lists scenes.
 const MAX_BYTES: u64 = 1 << 20;
@@ -23,8 +23,16 @@ pub struct Shown {
     pub source: SceneSource,
     /// What the user named as cameras or as a data set.
     pub cameras: Option<PathBuf>,
-    /// The others, and their places in its coordinates.
-    beside: Vec<(SceneSource, Placement)>,
+    beside: Vec<Beside>,
+}
+
+/// Another scene.
+struct Beside {
+    source: SceneSource,
+    /// As the user named it.
+    place: Place,
+    /// The same in the first scene's coordinates.
+    placement: Placement,
 }
 
 /// A file that lists scenes.
@@ -71,9 +79,10 @@ impl Shown {
         let source = SceneSource::find(&first.path)?;
         let own = source.placement();
         let beside = listed.map(|Listed { path, place, origin }| {
-            let scene = SceneSource::find(&path)?;
-            let place = own.place(&scene.placement(), &place);
-            Ok((scene, place.map_err(|error| error.in_file(&origin))?))
+            let source = SceneSource::find(&path)?;
+            let placement = own.place(&source.placement(), &place);
+            let placement = placement.map_err(|error| error.in_file(&origin))?;
+            Ok(Beside { source, place, placement })
         });
         let beside = beside.collect::<Result<_>>()?;
         Ok(Self { source, cameras, beside })
@@ -98,15 +107,20 @@ impl Shown {
         console: Console,
     ) -> Result<DeviceScene> {
         let mut scene = args.upload(renderer, first)?;
-        for (source, place) in &self.beside {
-            scene.put(args.upload(renderer, &source.load(console)?)?, *place)?;
+        for Beside { source, placement, .. } in &self.beside {
+            scene.put(args.upload(renderer, &source.load(console)?)?, *placement)?;
         }
         Ok(scene)
     }
 
     /// Identifies the other scenes and their places.
     pub fn others(&self) -> Result<Vec<String>> {
-        self.beside.iter().map(|(source, place)| made_of(source.file(), place)).collect()
+        self.beside.iter().map(|one| made_of(one.source.file(), &one.placement)).collect()
+    }
+
+    /// Names of the other scenes, and their places.
+    pub fn places(&self) -> Vec<(String, Place)> {
+        self.beside.iter().map(|one| (title(one.source.named()), one.place)).collect()
     }
 }
 

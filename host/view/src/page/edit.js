@@ -1,16 +1,17 @@
 // Removes Gaussians: a box with handles, a brush, a slider for floaters, undo, and save. The program keeps what is left.
 
-import { add, digits, dot, project, scale, sub, toWorld, unproject, eyeOf, length } from "./camera.js";
+import { add, digits, project, scale, sub, toWorld, eyeOf, length } from "./camera.js";
 import { post } from "./frames.js";
 import { $, css } from "./page.js";
+import { Tool } from "./tool.js";
 
-const NEAR = 12; // CSS pixels from a handle
+const COLORS = ["#e5484d", "#30a46c", "#3e7bfa"]; // x, y, z
 const number = new Intl.NumberFormat("en");
 
-export class Edit {
+export class Edit extends Tool {
   constructor(view, overlay, frames, controls) {
-    Object.assign(this, { view, overlay, frames, controls, tool: null, places: [], stroke: null, handle: null });
-    overlay.edit = this;
+    super(view, overlay, controls);
+    Object.assign(this, { frames, tool: null, places: [], stroke: null });
     $("edit").hidden = false;
     const far = length(sub(view.center, eyeOf(view.camera.camera_to_world))) / 4;
     this.box = [view.center.map((x) => x - far), view.center.map((x) => x + far)];
@@ -26,12 +27,6 @@ export class Edit {
     $("clean").oninput = () => this.clean();
     $("keep-clean").onclick = () => this.ask("keep");
     $("brush").oninput = () => overlay.draw();
-    // before the controls, which move the camera
-    const frame = $("frame"), on = (name, handler) => frame.addEventListener(name, handler.bind(this), true);
-    on("pointerdown", this.down);
-    on("pointermove", this.move);
-    on("pointerup", this.up);
-    on("pointercancel", this.up);
     this.ask("look");
   }
 
@@ -99,34 +94,16 @@ export class Edit {
 
   // --- the mouse
 
-  down(event) {
-    if (event.target.id !== "overlay" || event.button !== 0 || event.shiftKey || event.altKey || event.ctrlKey) return;
-    const at = this.controls.pixel(event);
-    if (this.tool === "brush") this.stroke = [at];
-    else if (this.tool === "box") this.handle = this.nearest(at);
-    if (!this.stroke && !this.handle) return;
-    this.last = at;
-    $("overlay").setPointerCapture(event.pointerId);
-    event.stopPropagation();
+  begin(at) {
+    if (this.tool !== "brush") return super.begin(at);
+    this.stroke = [at];
+    return 0;
   }
 
-  move(event) {
-    if (event.target.id !== "overlay") return;
-    this.at = this.controls.pixel(event);
-    if (this.tool) this.overlay.draw();
-    if (!this.stroke && !this.handle) return;
-    event.stopPropagation();
-    if (this.handle) this.drag(this.at);
-    else if (length(sub(this.at, this.stroke.at(-1)).concat(0)) > this.radius / 4) this.stroke.push(this.at);
-    this.last = this.at;
-  }
-
-  up(event) {
-    if (!this.stroke && !this.handle) return;
-    event.stopPropagation();
+  end() {
     const { camera } = this.view;
     if (this.stroke) this.ask({ paint: { camera, places: this.stroke.slice(0, 1000), radius: this.radius } });
-    this.stroke = this.handle = null;
+    this.stroke = null;
   }
 
   // Of the brush, in pixels of the image.
@@ -137,40 +114,28 @@ export class Edit {
   // --- the box: handles in the middle of its faces, and one in its own
 
   handles() {
+    if (this.tool !== "box") return [];
     const middle = scale(add(...this.box), 0.5);
-    const face = ([axis, side]) => ({ axis, side, place: middle.map((x, i) => (i === axis ? this.box[side][i] : x)) });
+    const face = ([axis, side]) => ({ axis, side, color: COLORS[axis], place: middle.map((x, i) => (i === axis ? this.box[side][i] : x)) });
     const faces = [0, 1, 2].flatMap((axis) => [[axis, 0], [axis, 1]]).map(face);
-    return [...faces, { axis: null, place: middle }];
+    return [...faces, { axis: null, color: "#fff", place: middle }];
   }
 
-  nearest(at) {
-    const near = NEAR * this.overlay.unit;
-    const away = ({ place }) => {
-      const [x, y, depth] = project(this.view.camera, place);
-      return depth > 0 ? Math.hypot(x - at[0], y - at[1]) : Infinity;
-    };
-    const [first] = this.handles().map((handle) => [away(handle), handle]).sort(([a], [b]) => a - b);
-    return first[0] <= near ? first[1] : null;
-  }
-
-  // A face goes along its axis, as far as the pointer goes along the axis on the screen.
-  drag(to) {
-    const { camera } = this.view, { axis, side } = this.handle;
-    const { place } = this.handles().find((one) => one.axis === axis && one.side === side);
-    const [x, y, depth] = project(camera, place);
+  // A face goes along its axis.
+  drag(from, to) {
+    if (this.stroke) {
+      if (length(sub(to, this.stroke.at(-1)).concat(0)) > this.radius / 4) this.stroke.push(to);
+      return;
+    }
+    const { axis, side, place } = this.handles()[this.held];
     if (axis == null) {
-      const by = sub(unproject(camera, to, depth), unproject(camera, this.last, depth));
+      const by = this.across(place, from, to);
       this.box = this.box.map((corner) => add(corner, by));
     } else {
-      const unit = depth / camera.fl_y; // of the world, about a pixel
-      const [u, v] = project(camera, place.map((value, i) => value + (i === axis ? unit : 0)));
-      const way = [u - x, v - y, 0], square = dot(way, way);
-      if (square < 1e-4) return; // the axis points to the eye
-      const by = (dot(sub([...to, 0], [...this.last, 0]), way) / square) * unit;
-      const moved = this.box[side][axis] + by, other = this.box[1 - side][axis];
-      this.box[side][axis] = side ? Math.max(moved, other + unit) : Math.min(moved, other - unit);
+      const way = [0, 1, 2].map((other) => Number(other === axis));
+      const moved = place[axis] + this.along(place, way, from, to), other = this.box[1 - side][axis];
+      this.box[side][axis] = side ? Math.max(moved, other) : Math.min(moved, other);
     }
-    this.overlay.draw();
   }
 
   // --- over the image
@@ -201,15 +166,7 @@ export class Edit {
       for (const axis of [0, 1, 2]) if (!((bits >> axis) & 1)) this.overlay.line(camera, corner(bits), corner(bits | (1 << axis)));
     }
     this.overlay.outlined(css("--path"), 1.5);
-    for (const { place, axis } of this.handles()) {
-      const [x, y, depth] = project(camera, place);
-      if (depth < 0) continue;
-      context.beginPath();
-      context.arc(x, y, 6 * unit, 0, 7);
-      context.fillStyle = axis == null ? "#fff" : ["#e5484d", "#30a46c", "#3e7bfa"][axis];
-      context.fill();
-      this.overlay.outlined("#fff", 1.5);
-    }
+    this.paintHandles(context, camera, unit);
     const { placement } = this.view.scene, size = length(sub(...this.box)) * placement.scale;
     const corners = this.box.flatMap((corner) => toWorld(placement, corner));
     $("box-words").textContent = `--box ${corners.map(digits(size)).join(",")}`;

@@ -18,7 +18,8 @@ export class Explain {
 
   async fetch(pixel) {
     const { camera } = this.view, [x, y] = pixel;
-    if (x < 0 || y < 0 || x >= camera.w || y >= camera.h) return null;
+    // the program explains pixels of one scene alone
+    if (x < 0 || y < 0 || x >= camera.w || y >= camera.h || this.view.scene.scenes > 1) return null;
     try {
       const reply = await post("/explain", { camera, pixel });
       return await reply.json();

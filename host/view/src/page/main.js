@@ -9,6 +9,7 @@ import { Keyframes } from "./keyframes.js";
 import { Measure } from "./measure.js";
 import { Overlay } from "./overlay.js";
 import { $, download } from "./page.js";
+import { Places } from "./places.js";
 import { Training } from "./training.js";
 
 const MODES = {
@@ -96,6 +97,7 @@ const controls = new Controls($("overlay"), view);
 const explain = new Explain(view, overlay);
 const keyframes = new Keyframes(view, overlay, frames);
 const edit = scene.purpose === "edit" ? new Edit(view, overlay, frames, controls) : null;
+const places = scene.scenes > 1 ? new Places(view, overlay, frames, controls) : null;
 const measure = new Measure(view, overlay, explain, edit);
 const training = scene.purpose === "train" ? new Training(frames) : null;
 frames.refines = !training;
@@ -334,7 +336,7 @@ function key(event) {
   const act = {
     "?": () => $("help").showModal(), ",": () => beside(-1), ".": () => beside(1), n: () => goTo(nearest()), r: reset,
     c: () => $("show-cameras").click(), o: () => scene.points && $("show-points").click(),
-    b: () => edit?.choose("box"), g: () => edit?.choose("brush"), z: () => edit?.ask("undo"), Delete: () => edit?.ask("remove"),
+    b: () => edit?.choose("box"), g: () => edit?.choose("brush"), z: () => (places ? places.undo() : edit?.ask("undo")), Delete: () => edit?.ask("remove"),
     m: () => measure.toggle(), k: () => keyframes.add(), p: () => keyframes.toggle(), l: () => { controls.level(); view.moved(); },
     "[": () => { controls.zoom(0.94); view.moved(); }, "]": () => { controls.zoom(1.06); view.moved(); },
     Escape: () => { explain.close(); keyframes.stop(); },
@@ -349,4 +351,4 @@ view.camera = withSize(scene.home, size());
 frames.settle();
 place();
 document.documentElement.dataset.ready = "";
-Object.assign(window, { organza: { view, frames, keyframes, explain, training, edit, measure } });
+Object.assign(window, { organza: { view, frames, keyframes, explain, training, edit, measure, places } });

@@ -7,6 +7,7 @@ export class Measure {
   constructor(view, overlay, explain, edit) {
     Object.assign(this, { view, overlay, explain, edit, isOn: false, places: [] });
     overlay.measure = this;
+    $("measure").hidden = view.scene.scenes > 1;
     $("measure").onclick = () => this.toggle();
     $("meters").oninput = () => this.say();
     $("set-meters").hidden = !edit;

@@ -48,7 +48,7 @@ export class Overlay {
     if (this.path.length > 1) this.paintPath(camera);
     if (this.pinged) this.paintPing(camera);
     if (this.marked) this.paintMarked();
-    this.edit?.paint(context, camera, this.unit);
+    this.tool?.paint(context, camera, this.unit);
     this.measure?.paint(context, camera, this.unit);
   }
 

@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use organza::camera::{Orbit, Target};
+use organza::camera::{Target, upward};
 use organza::error::format_bytes;
 use organza::splats::{Mesh, MeshFormat, save_mesh};
 use organza::{Camera, Result, Scene};
+use organza_core::memory;
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
@@ -78,7 +79,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         Mesh::of_surfaces(&surfaces, limits(&scene, &cameras), args.size, args.faces as usize)
     })?;
     let placement = &scene.config.placement;
-    let up = Orbit::around(&cameras)?.up;
+    let up = upward(cameras.iter()).to_array();
     if let Some(left_out) = save_mesh(&mesh, &args.output, format, up, placement)? {
         console.warn(&relative_to(left_out));
     }
@@ -86,8 +87,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let file = args.output.display();
     let [triangles, vertices] = [mesh.face.len(), mesh.position.len()].map(|n| grouped(n as u64));
     let size = format_bytes(bytes);
-    console
-        .note(&format!("wrote {triangles} triangles with {vertices} vertices to {file}, {size}"));
+    let peak = memory::peak().map(|peak| format!("; at most {} of memory", format_bytes(peak)));
+    let peak = peak.unwrap_or_default();
+    console.note(&format!(
+        "wrote {triangles} triangles with {vertices} vertices to {file}, {size}{peak}"
+    ));
     Ok(())
 }
 

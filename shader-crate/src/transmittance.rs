@@ -219,6 +219,8 @@ pub struct SegmentProductParams {
     pub pairs: u32,
     /// An exponent: n if steps are n times as long as sigma (Eq. 8), because `s_factor` counts these longer steps; otherwise 1.
     pub power: f32,
+    /// 1 where `transmittance` has T of another scene, which the product is multiplied by.
+    pub onto: u32,
 }
 
 /// Eq. 11: `transmittance [pairs]`, the product over a segment's samples, to a power; 1 without samples.
@@ -239,6 +241,11 @@ pub fn segment_product(
             sum += log_rho.read(sample);
             sample += 1;
         }
-        transmittance.write(index, exp(params.power * sum));
+        let product = exp(params.power * sum);
+        if params.onto != 0 {
+            transmittance.write(index, transmittance.read(index) * product);
+        } else {
+            transmittance.write(index, product);
+        }
     }
 }

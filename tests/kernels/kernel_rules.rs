@@ -196,7 +196,7 @@ fn llvmpipe_ends_long_invocations() {
         let transmittance = device.zeros("transmittance", 1).unwrap();
         let log_rho = vec![-1.0 / SAMPLES as f32; SAMPLES as usize];
         let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs: 1, power: 1.0 },
+            params: SegmentProductParams { pairs: 1, power: 1.0, onto: 0 },
             first_sample: &device.upload("first_sample", &[0, SAMPLES]).unwrap(),
             log_rho: &device.upload("log_rho", &log_rho).unwrap(),
             transmittance: &transmittance,

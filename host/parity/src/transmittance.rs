@@ -248,7 +248,7 @@ impl Parity for SegmentProduct {
         let set = |power, first_sample: Vec<u32>, log_rho| {
             let pairs = first_sample.len() as u32 - 1;
             Self(SegmentProductInputs {
-                params: SegmentProductParams { pairs, power },
+                params: SegmentProductParams { pairs, power, onto: 0 },
                 first_sample,
                 log_rho,
                 transmittance: unwritten(pairs as usize),
@@ -267,13 +267,21 @@ impl Parity for SegmentProduct {
         }
         let log_rho = Random::new(9).values(900, -0.1, 0.0);
         let first_sample = (0..=100).map(|pair| 9 * pair).collect();
-        sets.push(("steps four times as long".into(), set(4.0, first_sample, log_rho)));
+        let mut onto = set(4.0, first_sample, log_rho);
+        sets.push(("steps four times as long".into(), Self(onto.0.clone())));
+        onto.0.params.onto = 1;
+        onto.0.transmittance = Random::new(10).values(100, 0.0, 1.0);
+        sets.push(("T of another scene".into(), onto));
         sets
     }
 
     fn exact_at(&self, _: &str, pair: usize) -> Option<Rounded> {
         let samples = self.first_sample[pair] as usize..self.first_sample[pair + 1] as usize;
         let sum = Rounded::sum(self.log_rho[samples].iter().copied().map(Rounded::from));
-        Some(transmittance(Rounded::from(self.params.power) * sum))
+        let product = transmittance(Rounded::from(self.params.power) * sum);
+        match self.params.onto {
+            0 => Some(product),
+            _ => Some(Rounded::from(self.transmittance[pair]) * product),
+        }
     }
 }

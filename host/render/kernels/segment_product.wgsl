@@ -1,6 +1,7 @@
 struct type_5 {
     member: u32,
     member_1: f32,
+    member_2: u32,
 }
 
 struct type_6 {
@@ -28,44 +29,51 @@ var<storage> global_5: type_15;
 var<storage, read_write> global_6: type_15;
 
 fn function_() {
-    var phi_60_: f32;
-    var phi_62_: u32;
+    var phi_62_: f32;
+    var phi_64_: u32;
     var local: f32;
     var local_1: f32;
     var local_2: u32;
 
-    let _e11 = global;
-    let _e12 = global_1;
-    let _e13 = global_2;
-    let _e21 = (((_e12.x + (_e12.y * _e13.x)) * 64u) + _e11.x);
-    let _e24 = global_3.member.member;
-    if (_e21 < _e24) {
-        let _e29 = global_4.member[(_e21 + 1u)];
-        let _e32 = global_4.member[_e21];
-        phi_60_ = 0f;
-        phi_62_ = _e32;
+    let _e12 = global;
+    let _e13 = global_1;
+    let _e14 = global_2;
+    let _e22 = (((_e13.x + (_e13.y * _e14.x)) * 64u) + _e12.x);
+    let _e25 = global_3.member.member;
+    if (_e22 < _e25) {
+        let _e30 = global_4.member[(_e22 + 1u)];
+        let _e33 = global_4.member[_e22];
+        phi_62_ = 0f;
+        phi_64_ = _e33;
         loop {
-            let _e34 = phi_60_;
-            let _e36 = phi_62_;
-            local = _e34;
-            if (_e36 < _e29) {
-                let _e40 = global_5.member[_e36];
-                local_1 = (_e34 + _e40);
-                local_2 = (_e36 + 1u);
+            let _e35 = phi_62_;
+            let _e37 = phi_64_;
+            local = _e35;
+            if (_e37 < _e30) {
+                let _e41 = global_5.member[_e37];
+                local_1 = (_e35 + _e41);
+                local_2 = (_e37 + 1u);
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e54 = local_1;
-                phi_60_ = _e54;
-                let _e57 = local_2;
-                phi_62_ = _e57;
+                let _e63 = local_1;
+                phi_62_ = _e63;
+                let _e66 = local_2;
+                phi_64_ = _e66;
             }
         }
-        let _e45 = global_3.member.member_1;
-        let _e47 = local;
-        global_6.member[_e21] = exp((_e45 * _e47));
+        let _e46 = global_3.member.member_1;
+        let _e48 = local;
+        let _e50 = exp((_e46 * _e48));
+        let _e53 = global_3.member.member_2;
+        if (_e53 == 0u) {
+            global_6.member[_e22] = _e50;
+        } else {
+            let _e59 = global_6.member[_e22];
+            global_6.member[_e22] = (_e59 * _e50);
+        }
     }
     return;
 }

@@ -62,7 +62,7 @@ fn evaluate(
     capacity: Option<Capacity>,
 ) -> (Vec<Vec<u32>>, Option<Capacity>) {
     let device = scene.device();
-    let counts = capacity.map(|capacity| PartCounts::new(device, capacity).expect("memory"));
+    let counts = capacity.map(|capacity| PartCounts::new(device, vec![capacity]).expect("memory"));
     let part = Part::evaluate(scene, cameras, part_tiles, true, counts).expect("a part");
     let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
     let image = &part.composite.image;

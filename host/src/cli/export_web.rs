@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 
 use organza::error::format_bytes;
 use organza::web::{Card, PageOptions, WebPage, embedding, gallery};
-use organza::{Camera, Renderer, Result, Scene};
+use organza::{Camera, Renderer, Result};
 use organza_core::write_atomic;
 
 use super::console::{Console, print_as_is};
-use super::device::DeviceArgs;
+use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource, Shown};
 use super::output::{Folder, check_file, refuse_run};
 use super::{refuse, title};
@@ -23,6 +23,7 @@ Examples:
   organza export-web run -o page                     page/index.html and three files beside it, for any web server
   organza export-web run --single-file -o page.html  one file, to open or to send
   organza export-web scene.safetensors transforms.json -o page
+  organza export-web room.safetensors mug.safetensors@mug.json -o page    scenes together
   organza export-web run -o page --size 1920x1080    images of at most this size
   organza export-web run -o page --embed             also print the element that shows the page within another
   organza export-web --gallery fox garden -o site    a page for each scene, and one that leads to them
@@ -35,11 +36,11 @@ where the cameras stood; without cameras, around the scene.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors, or the folder of a training run
+    /// The scene, safetensors, or the folder of a training run; or a TOML file that lists several
     #[arg(required_unless_present = "gallery")]
     scene: Option<PathBuf>,
-    /// The cameras to start from: nerfstudio's transforms.json, or a data set [default: the run's, or views
-    /// around the scene]
+    /// More scenes at their places, each as SCENE@PLACE.json; and the cameras to start from: nerfstudio's transforms.json,
+    /// or a data set [default: the run's, or views around the scene]
     cameras: Vec<PathBuf>,
     /// The folder of the page, created if it does not exist; with --single-file, the file
     #[arg(short, long, value_name = "PATH")]
@@ -72,10 +73,9 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let Some(scene) = &args.scene else { return write_gallery(args, console) };
     let shown = Shown::find(scene, &args.cameras)?;
-    shown.require_one("a page")?;
-    let Shown { source, cameras: named, .. } = shown;
-    let cameras = cameras(&source, named.as_deref(), &args.data, USAGE, console)?;
-    let inputs: Vec<_> = [source.named()].into_iter().chain(named.as_deref()).collect();
+    let cameras = cameras(&shown, &args.data, USAGE, console)?;
+    let inputs: Vec<_> =
+        [shown.source.named()].into_iter().chain(shown.cameras.as_deref()).collect();
     // checked before anything is computed
     let folder = match args.single_file {
         true => {
@@ -84,10 +84,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         }
         false => Some(folder(&args.output)?),
     };
-    let scene = source.load(console)?;
     let renderer = args.device.open(console)?;
-    let options = args.options(args.title.clone().unwrap_or_else(|| page_title(&source)));
-    let page = make(&scene, &cameras, &renderer, &options, console)?;
+    let options = args.options(args.title.clone().unwrap_or_else(|| page_title(&shown.source)));
+    let page = make(&shown, &args.scene_args(), &cameras, &renderer, &options, console)?;
     let (file, bytes) = match &folder {
         None => {
             let text = page.single_file();
@@ -109,7 +108,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 impl Args {
     fn options(&self, title: String) -> PageOptions {
-        PageOptions { title, size: self.size, half_grids: !self.full_grids }
+        PageOptions { title, size: self.size }
+    }
+
+    fn scene_args(&self) -> SceneArgs {
+        SceneArgs { half_grids: !self.full_grids }
     }
 }
 
@@ -130,23 +133,23 @@ fn shown_path(file: &Path) -> String {
 
 /// Writes the pages of several scenes, and the page that leads to them.
 fn write_gallery(args: &Args, console: Console) -> Result<()> {
-    let sources = args.gallery.iter().map(|scene| SceneSource::find(scene));
-    let sources = sources.collect::<Result<Vec<_>>>()?;
+    let all = args.gallery.iter().map(|scene| Shown::find(scene, &[]));
+    let all = all.collect::<Result<Vec<_>>>()?;
     let outer = folder(&args.output)?;
     let mut cards: Vec<Card> = Vec::new();
     let mut folders = Vec::new();
-    for source in &sources {
-        let title = page_title(source);
+    for shown in &all {
+        let title = page_title(&shown.source);
         let name = folder_name(&title, &cards);
         folders.push(folder(&outer.join(&name))?);
         cards.push(Card { title, folder: name });
     }
     let renderer = args.device.open(console)?;
-    for ((source, card), folder) in sources.iter().zip(&cards).zip(&folders) {
-        let cameras = cameras(source, None, &args.data, USAGE, console)?;
-        let scene = source.load(console)?;
+    for ((shown, card), folder) in all.iter().zip(&cards).zip(&folders) {
+        let cameras = cameras(shown, &args.data, USAGE, console)?;
         let options = args.options(card.title.clone());
-        write_page(&make(&scene, &cameras, &renderer, &options, console)?, folder)?;
+        let page = make(shown, &args.scene_args(), &cameras, &renderer, &options, console)?;
+        write_page(&page, folder)?;
     }
     let title = args.title.as_deref().unwrap_or("Scenes");
     let [index, ..] = WebPage::FILES;
@@ -177,14 +180,18 @@ fn write_page(page: &WebPage, folder: &Folder) -> Result<usize> {
 
 /// Makes a page, and reports its contents.
 pub fn make(
-    scene: &Scene,
+    shown: &Shown,
+    scene_args: &SceneArgs,
     cameras: &[Camera],
     renderer: &Renderer,
     options: &PageOptions,
     console: Console,
 ) -> Result<WebPage> {
-    let page = console
-        .during("measuring what images need", || WebPage::new(scene, cameras, renderer, options))?;
+    let scene = shown.source.load(console)?;
+    let upload = |renderer: &Renderer| shown.upload(&scene, scene_args, renderer, console);
+    let page = console.during("measuring what images need", || {
+        WebPage::new(&scene, &upload, cameras, renderer, options)
+    })?;
     let facts = page.facts;
     console.detail(&format!(
         "{} kernels, {} plans, room measured on {} cameras",
@@ -195,12 +202,13 @@ pub fn make(
 
 /// The cameras of a page: the named ones, or the run's. A scene's file alone has none.
 pub fn cameras(
-    source: &SceneSource,
-    named: Option<&Path>,
+    shown: &Shown,
     data: &DataArgs,
     usage: &str,
     console: Console,
 ) -> Result<Vec<Camera>> {
+    let Shown { source, cameras: named, .. } = shown;
+    let named = named.as_deref();
     if named.is_none() && !data.is_given() && source.settings()?.is_none() {
         return Ok(Vec::new());
     }

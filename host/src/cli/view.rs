@@ -132,11 +132,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = &shown.source;
     let named = shown.cameras.as_deref();
     if args.client {
-        shown.require_one("`--client`")?;
-        return serve_client(args, source, named, console);
+        return serve_client(args, &shown, console);
     }
     if args.edit.is_some() {
-        shown.require_one("`--edit`")?;
+        shown.require_one()?;
     }
     let (poses, photographs, points) = surroundings(args, source, named, console)?;
     let scene = source.load(console)?;
@@ -176,23 +175,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 }
 
 /// Serves a page that renders by itself, until a signal comes.
-fn serve_client(
-    args: &Args,
-    source: &SceneSource,
-    named: Option<&Path>,
-    console: Console,
-) -> Result<()> {
+fn serve_client(args: &Args, shown: &Shown, console: Console) -> Result<()> {
     let usage = "organza view SCENE DATA --client";
-    let cameras = export_web::cameras(source, named, &args.data_args, usage, console)?;
-    let scene = source.load(console)?;
+    let cameras = export_web::cameras(shown, &args.data_args, usage, console)?;
     let server = args.server.listen(console)?;
     let renderer = args.device.open(console)?;
-    let options = PageOptions {
-        title: export_web::page_title(source),
-        size: CLIENT_SIZE,
-        half_grids: args.scene_args.half_grids,
-    };
-    let page = export_web::make(&scene, &cameras, &renderer, &options, console)?;
+    let options = PageOptions { title: export_web::page_title(&shown.source), size: CLIENT_SIZE };
+    let page = export_web::make(shown, &args.scene_args, &cameras, &renderer, &options, console)?;
     let (stop, stopped) = channel();
     let handler = move || {
         // fails if the server has already ended

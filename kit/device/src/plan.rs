@@ -136,6 +136,15 @@ impl Planner {
         plan.buffers[at].contents = Some(contents);
     }
 
+    /// Reads the initial content of a buffer of this plan, from a byte on. Returns whether there is any.
+    pub fn read(&self, buffer: u32, begin: usize, target: &mut [u8]) -> bool {
+        let plan = self.plan();
+        let at = buffer.checked_sub(plan.first_buffer).and_then(|at| plan.buffers.get(at as usize));
+        let Some(contents) = at.and_then(|buffer| buffer.contents.as_deref()) else { return false };
+        target.copy_from_slice(&contents[begin..begin + target.len()]);
+        true
+    }
+
     pub fn dispatch(
         &self,
         kernel: &'static KernelInfo,
@@ -259,11 +268,16 @@ mod tests {
     }
 
     #[test]
-    fn a_planner_has_the_limits_of_browsers_and_cannot_read() {
+    fn a_planner_has_the_limits_of_browsers_and_reads_no_results() {
         let device = Device::planner();
         let refused = device.zeros::<u8>("large", (MAX_BUFFER_BYTES + 1) as usize).unwrap_err();
         assert!(matches!(refused, Error::OutOfMemory { .. }), "{refused}");
         let buffer = device.zeros::<u32>("small", 1).unwrap();
         assert!(matches!(device.read(&buffer), Err(Error::Argument { .. })));
+        // but for what a buffer began with, until its plan is taken
+        let known = device.upload("known", &[1_u32, 2, 3]).unwrap();
+        assert_eq!(device.read_range(&known, 1, 2).unwrap(), [2, 3]);
+        device.take_plan();
+        assert!(device.read(&known).is_err());
     }
 }

@@ -262,6 +262,11 @@ impl Device {
                     Ok(())
                 })
             }
+            (DeviceKind::Planner(planner), Memory::Planned(number))
+                if planner.read(*number, buffer.raw().begin as usize + first, target) =>
+            {
+                Ok(())
+            }
             (DeviceKind::Planner(_), _) => Err(Error::Argument {
                 reason: format!(
                     "`{label}` has no values to read: this device only records what another one will run"

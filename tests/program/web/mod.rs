@@ -4,8 +4,10 @@ use std::path::Path;
 
 use glam::DVec3;
 use organza::render::{EyeCache, EyeOptions};
-use organza::scene::Contraction;
-use organza::{Camera, MODULES, RenderedTiles, Renderer, Scene, TileBatch, UploadOptions, demo};
+use organza::scene::{self, Contraction};
+use organza::{
+    Camera, DeviceScene, MODULES, RenderedTiles, Renderer, Scene, TileBatch, UploadOptions, demo,
+};
 use organza_tests::devices;
 use serde_json::{Value, json};
 
@@ -73,11 +75,14 @@ fn played(page: &mut Page, camera: &Camera, steps: u16) -> (Vec<f32>, [u64; 3], 
     (bytemuck::pod_collect_to_vec(&bytes), counts, found["small"].as_u64().expect("a number"))
 }
 
-/// Asserts that the page's image equals the program's on the CPU, with the same tiles and 16-bit grids. Returns
-/// the number of plans that were too small.
-fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u64 {
-    let cpu = Renderer::new(devices::cpu(None));
-    let scene = cpu.upload_with(scene, UploadOptions { half_grids: true }).expect("memory");
+/// Asserts that the page's image equals the program's on the CPU, with the same tiles. Returns the number of plans that were
+/// too small.
+fn assert_same(
+    page: &mut Page,
+    (cpu, scene): (&Renderer, &DeviceScene),
+    camera: &Camera,
+    steps: u16,
+) -> u64 {
     let batch = TileBatch::cover(0, camera.width, camera.height, SIDE).expect("tiles");
     let options = EyeOptions {
         channels: &[],
@@ -87,7 +92,7 @@ fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u
         is_cancelled: &|| false,
     };
     let rendered: RenderedTiles = cpu
-        .render_from_eye(&scene, camera, &batch, &mut EyeCache::default(), &options)
+        .render_from_eye(scene, camera, &batch, &mut EyeCache::default(), &options)
         .expect("an image")
         .expect("it was not cancelled");
     let (pixels, counts, small) = played(page, camera, steps);
@@ -263,7 +268,10 @@ fn assert_all_compile(page: &mut Page) {
 #[test]
 fn a_page_renders_by_itself() {
     let Some(program) = program() else { return };
-    let (sandbox, [scene, outside], cameras) = sandbox();
+    let (sandbox, scenes, cameras) = sandbox();
+    let cpu = Renderer::new(devices::cpu(None));
+    let halves = UploadOptions { half_grids: true };
+    let [scene, outside] = scenes.each_ref().map(|scene| cpu.upload_with(scene, halves).unwrap());
     let words = "export-web thin.safetensors near.json -o page --size 160x128 --backend cpu";
     sandbox.run(words).assert_ok().says(&["open page/index.html in a browser"]);
     let folder = url(&sandbox.path("page/index.html"));
@@ -271,9 +279,9 @@ fn a_page_renders_by_itself() {
     page.wait(AT_REST);
     page.screenshot("web");
     for steps in [1, 2] {
-        assert_eq!(assert_same(&mut page, &scene, &cameras[0], steps), 0);
+        assert_eq!(assert_same(&mut page, (&cpu, &scene), &cameras[0], steps), 0);
     }
-    assert_same(&mut page, &scene, &cameras[2].with_size([150, 70]), 1);
+    assert_same(&mut page, (&cpu, &scene), &cameras[2].with_size([150, 70]), 1);
     assert_turns(&mut page, &folder);
     assert_knows_cameras(&mut page, &cameras);
 
@@ -290,7 +298,24 @@ fn a_page_renders_by_itself() {
     page.go(&viewer.url());
     page.wait(AT_REST);
     assert_eq!(page.eval("document.title"), "thin \u{b7} organza");
-    assert_same(&mut page, &scene, &cameras[0], 1);
+    assert_same(&mut page, (&cpu, &scene), &cameras[0], 1);
+    assert_eq!(page.eval("organza.errors"), json!([]));
+
+    // so are several scenes
+    let put = scene::Place { offset: [0.3, -0.2, 0.4], turn: [20.0, 0.0, 70.0], scale: 0.6 };
+    sandbox.write("place.json", serde_json::to_string(&put).unwrap());
+    let words = "export-web thin.safetensors outside.safetensors@place.json near.json -o both.html \
+                 --single-file --size 160x128 --backend cpu";
+    sandbox.run(words).assert_ok();
+    page.go(&url(&sandbox.path("both.html")));
+    page.wait(AT_REST);
+    page.screenshot("web-together");
+    let [first, second] = scenes.each_ref().map(|scene| &scene.config.placement);
+    let mut both = scene.clone();
+    both.put(outside.clone(), first.place(second, &put).unwrap()).unwrap();
+    for steps in [1, 2] {
+        assert_same(&mut page, (&cpu, &both), &cameras[1], steps);
+    }
     assert_eq!(page.eval("organza.errors"), json!([]));
 
     // plans measured from far away are too small for a near camera: larger ones replace them
@@ -299,7 +324,7 @@ fn a_page_renders_by_itself() {
     page.go(&url(&sandbox.path("far.html")));
     page.wait(AT_REST);
     assert_eq!(page.eval("document.title"), "Far \u{b7} organza");
-    assert!(assert_same(&mut page, &outside, &cameras[0], 1) > 0, "no plan was too small");
+    assert!(assert_same(&mut page, (&cpu, &outside), &cameras[0], 1) > 0, "no plan was too small");
     // the page itself does that: it shows the image of a larger plan, and no empty one
     let script = include_str!("grown.js");
     let grown = page.eval(&format!("({script})({})", lens(&cameras[0])));

@@ -205,7 +205,7 @@ impl<'a> Pass<'a> {
             let capacity = if predicts { at.needed.or_else(predicted) } else { None };
             let counts = capacity.map(|capacity| match self.queued {
                 Some(counts) => Ok(PartCounts::with(counts.clone(), capacity)),
-                None => PartCounts::new(self.device(), capacity),
+                None => PartCounts::new(self.device(), vec![capacity]),
             });
             let counts = counts.transpose()?;
             at.part = Some(Part::evaluate(self.scene, self.cameras, &at.part_tiles, keep, counts)?);

@@ -42,9 +42,9 @@ fn stages(
     let projection = project(device, scene, cameras, &part_tiles.windows())?;
     let bins = TileBins::new(scene, part_tiles, projection, counts)?;
     let segments = segments(scene, &bins.pairs)?;
-    let samples = bins.count_samples(device, &segments.1)?;
-    let mut transmittance = Transmittance::evaluate(scene, &bins.pairs, segments, samples, keep)?;
-    let others_samples = transmittance.attenuate(scene, cameras, &bins.pairs)?;
+    let samples = bins.count_samples(device, 0, &segments.1)?;
+    let transmittance = Transmittance::evaluate(scene, &bins.pairs, segments, samples, keep)?;
+    let others_samples = transmittance.attenuate(scene, cameras, &bins.pairs, &bins)?;
     let color = Color::evaluate(scene, &bins.pairs, keep)?;
     let capacity = Capacity {
         pairs: bins.pairs.count.upper_bound(),
@@ -71,8 +71,10 @@ impl Part {
             let (bins, transmittance, color, mut capacity) =
                 stages(scene, &used, part_tiles, keep, counts)?;
             let mut beside = Vec::new();
-            for other in &scene.beside {
-                let (bins, own, color, needed) = stages(other, &used, part_tiles, false, None)?;
+            let scenes = scene.all().count();
+            for (index, other) in scene.all().enumerate().skip(1) {
+                let counts = bins.part_counts.as_ref().map(|counts| counts.after(index * scenes));
+                let (bins, own, color, needed) = stages(other, &used, part_tiles, false, counts)?;
                 capacity = capacity.plus(needed);
                 beside.push(Layer { bins, transmittance: own.transmittance, color: color.color });
             }

@@ -175,9 +175,9 @@ impl EyeCache {
             let pairs = pairs_of(device, bins, some)?;
             let segments = segments(scene, &pairs)?;
             let count = total(device, &segments.1)?;
-            let mut evaluated = Transmittance::evaluate(scene, &pairs, segments, count, false)?;
+            let evaluated = Transmittance::evaluate(scene, &pairs, segments, count, false)?;
             samples += evaluated.samples.upper_bound();
-            samples += evaluated.attenuate(scene, &[camera], &pairs)?;
+            samples += evaluated.attenuate(scene, &[camera], &pairs, bins)?;
             let without: Vec<_> = some.iter().copied().filter(|&at| !self.is_current(at)).collect();
             let color = match &*without {
                 [] => Vec::new(),

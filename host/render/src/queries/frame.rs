@@ -1,6 +1,7 @@
 //! One frame of one camera, as a plan that something else runs: a page in a browser.
 
 use crate::pass::part::Part;
+use crate::scene::composition::CAMERAS;
 use crate::stages::counts::PartCounts;
 use crate::stages::cut::{PartTile, PartTiles};
 use crate::stages::project::project;
@@ -9,10 +10,11 @@ use crate::stages::tiles::TileBins;
 use crate::stages::transmittance::segments;
 use crate::{Capacity, DeviceScene, Renderer};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
+use organza_core::scene::Placement;
 use organza_core::{Result, Tile, TileBatch};
 
 /// The sizes that all frames of a plan share.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FrameShape {
     /// Number of tiles. A frame puts the tiles that it does not need far outside of its image.
     pub tiles: u32,
@@ -20,8 +22,8 @@ pub struct FrameShape {
     pub side: u32,
     /// The length of T's steps in multiples of sigma, Eq. 8.
     pub steps: u16,
-    /// Capacity of the tables. A frame that needs more is empty, and its counts show it.
-    pub capacity: Capacity,
+    /// Capacities of the tables: see [`Renderer::capacities`]. A frame that needs more is empty, and its counts show it.
+    pub capacities: Vec<Capacity>,
 }
 
 /// A frame that a [planner](muslin_device::Device::planner) has written down, and the numbers of the buffers that its
@@ -30,43 +32,51 @@ pub struct FrameShape {
 pub struct Frame {
     /// Buffers and steps.
     pub plan: muslin_device::DevicePlan,
-    /// `[18]`: the camera, as [`organza_shaders::camera::Camera`] packs it.
-    pub camera: u32,
-    /// `[tiles, 4]`: as [`organza_shaders::tile::Tile`] packs them.
-    pub tiles: u32,
-    /// The capacity that the frame needed: a flag for an overflow, pairs, intersections and samples.
+    /// `[18]`: the camera, as [`organza_shaders::camera::Camera`] packs it, in the coordinates of these places.
+    pub cameras: Vec<(u32, Placement)>,
+    /// `[tiles, 4]`, for each scene: as [`organza_shaders::tile::Tile`] packs them.
+    pub tiles: Vec<u32>,
+    /// `[capacities, COUNTS]`: what the frame needed; the first number is a flag for an overflow.
     pub counts: u32,
     /// `[tiles, 3, S, S]`
     pub image: u32,
 }
 
 impl Renderer {
-    /// The capacity that a camera's image needs, for each of some [steps](FrameShape::steps).
+    /// The capacities that a camera's image needs, for each of some [steps](FrameShape::steps): one for a scene alone. With
+    /// [several](DeviceScene::all), each scene is followed by the capacities of the others' fields, of which only samples matter.
     pub fn capacities(
         &self,
         scene: &DeviceScene,
         camera: &Camera,
         side: u32,
         steps: &[u16],
-    ) -> Result<Vec<Capacity>> {
+    ) -> Result<Vec<Vec<Capacity>>> {
         let batch = TileBatch::cover(0, camera.width, camera.height, side)?;
-        let mut needed = vec![Capacity { pairs: 0, intersections: 0, samples: 0 }; steps.len()];
-        for part_tiles in PartTiles::split(scene, &batch, self.part_bytes())? {
-            let device = self.device();
-            let projection = project(device, scene, &[camera], &part_tiles.windows())?;
-            let bins = TileBins::new(scene, &part_tiles, projection, None)?;
-            let pairs = bins.pairs.count.upper_bound();
-            let intersections = bins.intersections.upper_bound();
-            for (&steps, needed) in steps.iter().zip(&mut needed) {
-                let scene = &scene.with_ray_steps(steps.into());
-                let (_, first_sample) = segments(scene, &bins.pairs)?;
-                let samples = total(device, &first_sample)?.upper_bound();
-                *needed = needed.plus(Capacity { pairs, intersections, samples });
-                // a pair counts once for each part that has it, so this may be more than needed
-                needed.pairs = needed.pairs.min(scene.gaussians);
+        let device = self.device();
+        let scenes = scene.all().count();
+        let mut all = vec![vec![Capacity::default(); scenes * scenes]; steps.len()];
+        for (index, scene) in scene.all().enumerate() {
+            for part_tiles in PartTiles::split(scene, &batch, self.part_bytes())? {
+                let projection = project(device, scene, &[camera], &part_tiles.windows())?;
+                let bins = TileBins::new(scene, &part_tiles, projection, None)?;
+                let pairs = bins.pairs.count.upper_bound();
+                let intersections = bins.intersections.upper_bound();
+                for (&steps, all) in steps.iter().zip(&mut all) {
+                    let fields = std::iter::once(scene).chain(&scene.fields);
+                    for (field, needed) in fields.zip(&mut all[index * scenes..]) {
+                        let field = &field.with_ray_steps(steps.into());
+                        let seen = bins.pairs.seen_by(field.cameras(&[camera])?);
+                        let (_, first_sample) = segments(field, &seen)?;
+                        let samples = total(device, &first_sample)?.upper_bound();
+                        *needed = needed.plus(Capacity { pairs, intersections, samples });
+                        // a pair counts once for each part that has it, so this may be more than needed
+                        needed.pairs = needed.pairs.min(scene.gaussians);
+                    }
+                }
             }
         }
-        Ok(needed)
+        Ok(all)
     }
 
     /// Writes down a frame. The renderer's device is a planner.
@@ -87,17 +97,19 @@ impl Renderer {
         let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 1.0, [shape.side; 2])?;
         let camera = std::slice::from_ref(&camera);
         let scene = &scene.with_ray_steps(shape.steps.into());
-        let counts = PartCounts::new(device, shape.capacity)?;
+        let counts = PartCounts::new(device, shape.capacities.clone())?;
         let part = Part::evaluate(scene, camera, &part_tiles, false, Some(counts))?;
         let bins = &part.bins;
         let counts = bins.part_counts.as_ref().expect("there is a capacity").counts.planned();
         let number = |buffer: Option<u32>| buffer.expect("the device is a planner");
-        Ok(Frame {
-            camera: number(bins.pairs.camera.planned()),
-            tiles: number(bins.tile.planned()),
-            counts: number(counts),
-            image: number(part.composite.image.planned()),
-            plan: device.take_plan(),
-        })
+        let bins = std::iter::once(bins).chain(part.beside.iter().map(|layer| &layer.bins));
+        let tiles = bins.map(|bins| number(bins.tile.planned())).collect();
+        let image = number(part.composite.image.planned());
+        let plan = device.take_plan();
+        let numbered = plan.buffers.iter().zip(plan.first_buffer..);
+        let cameras = numbered.filter(|(buffer, _)| buffer.label == CAMERAS);
+        let seen = scene.all().flat_map(|scene| std::iter::once(scene).chain(&scene.fields));
+        let cameras = cameras.zip(seen).map(|((_, number), scene)| (number, scene.place)).collect();
+        Ok(Frame { cameras, tiles, counts: number(counts), image, plan })
     }
 }

@@ -8,6 +8,8 @@ use organza_core::error::argument;
 use organza_core::scene::Placement;
 use organza_core::{Camera, Result};
 
+/// Label of the buffers of cameras.
+pub const CAMERAS: &str = "cameras";
 /// Kernels square coordinates as f32.
 const FARTHEST: f32 = 1e15;
 
@@ -64,7 +66,7 @@ impl DeviceScene {
     /// Cameras of the first scene, in this scene's coordinates, as kernels read them.
     pub(crate) fn cameras(&self, cameras: &[&Camera]) -> muslin_device::Result<Buffer<f32>> {
         let own = cameras.iter().map(|camera| self.place.own_camera(camera).for_kernels().pack());
-        self.device.upload("cameras", &own.flatten().collect::<Vec<_>>())
+        self.device.upload(CAMERAS, &own.flatten().collect::<Vec<_>>())
     }
 
     /// This scene's fields, with the Gaussians of another one.

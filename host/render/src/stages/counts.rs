@@ -14,7 +14,7 @@ use super::scan::Mask;
 use muslin_device::{Buffer, Count, Device, Result};
 
 /// How many items the tables of a part have room for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Capacity {
     /// (Gaussian, camera) pairs.
     pub pairs: u32,
@@ -43,34 +43,50 @@ impl Capacity {
 }
 
 /// Numbers that stay on the device: see [`organza_shaders::count`].
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct PartCounts {
-    /// `[COUNTS]`: [`Capacity::needed`] reads its values.
+    /// `[capacities, COUNTS]`: [`Capacity::needed`] reads the values of the first one. All share its [`OVERFLOW`].
     pub counts: Arc<Buffer<u32>>,
-    /// The room for each number, by its slot.
-    capacity: [u32; COUNTS as usize],
+    /// The room for the numbers.
+    capacities: Vec<Capacity>,
+    /// Index of the numbers that these are.
+    index: usize,
 }
 
 impl PartCounts {
-    /// No counts yet.
-    pub fn new(device: &Device, capacity: Capacity) -> Result<Self> {
-        Ok(Self::with(Arc::new(device.zeros("counts", COUNTS as usize)?), capacity))
+    /// No counts yet: those of a scene alone, or of [all](crate::DeviceScene::all), where each scene is followed by the samples in
+    /// the others' fields.
+    pub fn new(device: &Device, capacities: Vec<Capacity>) -> Result<Self> {
+        let counts = device.zeros("counts", COUNTS as usize * capacities.len())?;
+        Ok(Self { counts: Arc::new(counts), capacities, index: 0 })
     }
 
-    /// The same in a buffer `[COUNTS]`. If a part before has raised [`OVERFLOW`] there, this one is empty, too.
+    /// Those of a scene alone, in a buffer `[COUNTS]`. If a part before has raised [`OVERFLOW`] there, this one is empty, too.
     pub fn with(counts: Arc<Buffer<u32>>, capacity: Capacity) -> Self {
-        let Capacity { pairs, intersections, samples } = capacity;
-        let mut capacity = [0; COUNTS as usize];
-        for (slot, number) in [(PAIRS, pairs), (INTERSECTIONS, intersections), (SAMPLES, samples)] {
-            capacity[slot as usize] = number;
-        }
-        Self { counts, capacity }
+        Self { counts, capacities: vec![capacity], index: 0 }
+    }
+
+    /// The numbers that come this many after these.
+    pub fn after(&self, number: usize) -> Self {
+        Self { index: self.index + number, ..self.clone() }
+    }
+
+    /// The place of a number in `counts`, and the room for it.
+    fn place(&self, slot: u32) -> (u32, u32) {
+        let Capacity { pairs, intersections, samples } = self.capacities[self.index];
+        let room = match slot {
+            PAIRS => pairs,
+            INTERSECTIONS => intersections,
+            _ => samples,
+        };
+        (self.index as u32 * COUNTS + slot, room)
     }
 
     /// Records the total at the end of exclusive sums as the number at a slot.
     pub fn record_total(&self, device: &Device, slot: u32, first: &Buffer<u32>) -> Result<()> {
         let last = first.len() as u32 - 1;
-        let params = RecordTotalParams { slot, last, capacity: self.capacity[slot as usize] };
+        let (slot, capacity) = self.place(slot);
+        let params = RecordTotalParams { slot, last, capacity };
         device.run(&RecordTotalKernel { params, first, counts: &*self.counts }, 1, 1)
     }
 
@@ -106,6 +122,7 @@ impl PartCounts {
 
     /// The number at a slot.
     pub fn count(&self, slot: u32) -> Count {
-        Count::on_device(&self.counts, slot, self.capacity[slot as usize])
+        let (slot, capacity) = self.place(slot);
+        Count::on_device(&self.counts, slot, capacity)
     }
 }

@@ -146,9 +146,16 @@ impl TileBins {
         })
     }
 
-    /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`.
-    pub fn count_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
+    /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`: in this scene's field, or in
+    /// another one, by the index of its [counts](PartCounts::after).
+    pub fn count_samples(
+        &self,
+        device: &Device,
+        field: usize,
+        first_sample: &Buffer<u32>,
+    ) -> Result<Count> {
         let Some(counts) = &self.part_counts else { return total(device, first_sample) };
+        let counts = counts.after(field);
         counts.record_total(device, SAMPLES, first_sample)?;
         let ranges = [&self.tile_first, first_sample];
         counts.clear_on_overflow(device, &[&self.pair_mask, &self.tile_mask], &ranges)?;

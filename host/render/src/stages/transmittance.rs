@@ -17,7 +17,7 @@ use super::field::Inputs;
 use super::field::backward::{ChunkScratch, FieldBackward};
 use super::field::samples::{Blocks, Chunks};
 use super::pairs::{PairVectors, Pairs};
-use super::scan::{exclusive_scan, total};
+use super::scan::exclusive_scan;
 use super::tiles::TileBins;
 use crate::gradient::SceneGradient;
 use crate::scene::device_scene::DeviceScene;
@@ -51,6 +51,20 @@ impl Transmittance {
         samples: Count,
         keep: bool,
     ) -> Result<Self> {
+        let pairs_most = pairs.count.upper_bound() as usize;
+        let transmittance = scene.device().unwritten("transmittance", pairs_most)?;
+        Self::multiplied(scene, pairs, (segment, first_sample), samples, keep, (transmittance, 0))
+    }
+
+    /// The same in a buffer, and multiplied by what is there if `onto` is 1.
+    fn multiplied(
+        scene: &DeviceScene,
+        pairs: &Pairs,
+        (segment, first_sample): (Buffer<Vec4>, Buffer<u32>),
+        samples: Count,
+        keep: bool,
+        (transmittance, onto): (Buffer<f32>, u32),
+    ) -> Result<Self> {
         let device = scene.device();
         let capacity = pairs.count.upper_bound();
         let inputs = scene.config.transmittance_inputs();
@@ -58,10 +72,9 @@ impl Transmittance {
         let ends: Vec<_> = pairs.chunk_ends(keep).iter().map(end).collect::<Result<_>>()?;
         let blocks = Blocks::new(device, inputs, samples.clone(), keep, &ends)?;
         let log_rho = log_rho(scene, pairs, &segment, &first_sample, &blocks)?;
-        let transmittance = device.unwritten("transmittance", capacity as usize)?;
         let power = scene.ray_steps as f32;
         let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs: capacity, power },
+            params: SegmentProductParams { pairs: capacity, power, onto },
             first_sample: &first_sample,
             log_rho: &log_rho,
             transmittance: &transmittance,
@@ -69,32 +82,25 @@ impl Transmittance {
         device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         Ok(Self { transmittance, first_sample, samples, power, segment, blocks })
     }
-}
 
-impl Transmittance {
-    /// Multiplies by T of the scenes that are [shown with](DeviceScene::put) this one. Returns the number of their samples.
+    /// Multiplies by T of the scenes that are [shown with](DeviceScene::put) this one. Returns the number of their samples. `pairs` are
+    /// some of `bins`.
     pub fn attenuate(
-        &mut self,
+        &self,
         scene: &DeviceScene,
         cameras: &[&Camera],
         pairs: &Pairs,
+        bins: &TileBins,
     ) -> Result<u32> {
-        if scene.fields.is_empty() {
-            return Ok(0);
-        }
-        let device = scene.device();
-        let mut product = device.read(&self.transmittance)?;
         let mut samples = 0_u32;
-        for field in &scene.fields {
+        for (index, field) in scene.fields.iter().enumerate() {
             let pairs = pairs.seen_by(field.cameras(cameras)?);
             let segments = segments(field, &pairs)?;
-            let count = total(device, &segments.1)?;
+            let count = bins.count_samples(field.device(), 1 + index, &segments.1)?;
             samples = samples.saturating_add(count.upper_bound());
-            let other = Self::evaluate(field, &pairs, segments, count, false)?;
-            let others = device.read(&other.transmittance)?;
-            product.iter_mut().zip(others).for_each(|(t, other)| *t *= other);
+            let product = (self.transmittance.view(), 1);
+            Self::multiplied(field, &pairs, segments, count, false, product)?;
         }
-        self.transmittance = device.upload("transmittance", &product)?;
         Ok(samples)
     }
 }

@@ -88,13 +88,11 @@ impl Shown {
         Ok(Self { source, cameras, beside })
     }
 
-    /// Fails if there are several scenes. `what` says for what one is needed.
-    pub fn require_one(&self, what: &str) -> Result<()> {
+    /// Fails if there are several scenes, of which none can be edited.
+    pub fn require_one(&self) -> Result<()> {
         match self.beside.is_empty() {
             true => Ok(()),
-            false => {
-                refuse(format!("{what} takes one scene; `render`, `film` and `view` show several"))
-            }
+            false => refuse("`--edit` takes one scene"),
         }
     }
 

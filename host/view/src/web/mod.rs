@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::io::Write;
+use std::iter::repeat_n;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -17,9 +18,7 @@ use muslin::KernelInfo;
 use muslin_device::{BufferRange, Device, PlannedBuffer, Step};
 use organza_core::camera::{Camera, Orbit};
 use organza_core::{Result, Scene};
-use organza_render::{
-    Capacity, DeviceScene, Frame, FrameShape, MODULES, OCCUPANCY, Renderer, UploadOptions,
-};
+use organza_render::{Capacity, DeviceScene, Frame, FrameShape, MODULES, OCCUPANCY, Renderer};
 
 /// Options of a page.
 #[derive(Clone, Debug)]
@@ -28,8 +27,6 @@ pub struct PageOptions {
     pub title: String,
     /// Largest image that the page renders, in pixels. A larger window shows it enlarged.
     pub size: [u32; 2],
-    /// Whether to store the hash grids as 16-bit floats.
-    pub half_grids: bool,
 }
 
 /// The files of a page.
@@ -66,14 +63,15 @@ impl WebPage {
     /// Names of [`Self::files`]. A browser opens the first one.
     pub const FILES: [&str; 4] = ["index.html", "page.js", "scene.js", "poster.jpg"];
 
-    /// Makes the page of a scene. `cameras` are those that it was trained on, or empty. `measuring` measures the
-    /// memory that their images need.
+    /// Makes the page of a scene. `upload` copies it to a device, and [others](DeviceScene::put) that are shown with it.
+    /// `cameras` are those that it was trained on, or empty. `measuring` measures the memory that their images need.
     ///
     /// # Errors
-    /// The same errors as [`Renderer::upload`]; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory)
+    /// The same errors as `upload`; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory)
     /// if the scene is larger than a browser can bind.
     pub fn new(
         scene: &Scene,
+        upload: &dyn Fn(&Renderer) -> Result<DeviceScene>,
         cameras: &[Camera],
         measuring: &Renderer,
         options: &PageOptions,
@@ -101,15 +99,17 @@ impl WebPage {
         way.rotate_left(nearest.unwrap_or(0));
         let pose = |camera: &Camera| camera.camera_to_world.map(|row| row.map(|x| x as f32));
 
-        let upload = UploadOptions { half_grids: options.half_grids };
         let planner = Renderer::new(Device::planner());
-        let planned = planner.upload_with(scene, upload)?;
+        let planned = upload(&planner)?;
         let mut buffers = planner.device().take_plan().buffers;
-        let there = measuring.upload_with(scene, upload)?;
-        // a planner computes nothing, and a page shows a scene that does not change
-        let occupancy = measuring.device().read(there.occupancy())?;
-        for buffer in buffers.iter_mut().filter(|buffer| buffer.label == OCCUPANCY) {
-            buffer.contents = Some(bytemuck::cast_slice(&occupancy).to_vec());
+        let there = upload(measuring)?;
+        // a planner computes nothing, and a page shows scenes that do not change
+        let grids = buffers.iter_mut().filter(|buffer| buffer.label == OCCUPANCY);
+        for (buffer, scene) in grids.zip(there.all()) {
+            let occupancy = measuring.device().read(scene.occupancy())?;
+            let mut contents = bytemuck::cast_slice(&occupancy).to_vec();
+            contents.resize(buffer.bytes as usize, 0);
+            buffer.contents = Some(contents);
         }
         let ladder = measure(measuring, &there, &measured, options.size)?;
         let frames = write_frames(&planner, &planned, &ladder, buffers.len() as u32)?;
@@ -120,7 +120,7 @@ impl WebPage {
         let header = json!({
             "title": options.title,
             "version": env!("CARGO_PKG_VERSION"),
-            "gaussians": scene.gaussians.len(),
+            "gaussians": there.all().map(DeviceScene::len).sum::<usize>(),
             "aabb": scene.config.aabb,
             "background": scene.config.background,
             "up": orbit.up,
@@ -330,12 +330,16 @@ fn measure(
     size: [u32; 2],
 ) -> Result<Vec<FrameShape>> {
     let mut shapes = Vec::new();
+    let scenes = scene.all().count();
+    // one camera sees at most all Gaussians
+    let gaussians = scene.all().flat_map(|scene| repeat_n(scene.len() as u32, scenes));
+    let gaussians: Vec<_> = gaussians.collect();
     for shrink in SHRINKS {
         let size = size.map(|side| side.div_ceil(shrink));
-        let mut max = [Capacity { pairs: 0, intersections: 0, samples: 0 }; STEPS.len()];
+        let mut max = vec![vec![Capacity::default(); gaussians.len()]; STEPS.len()];
         for camera in cameras {
             let found = renderer.capacities(scene, &camera.with_size(size), SIDE, &STEPS)?;
-            for (max, found) in max.iter_mut().zip(found) {
+            for (max, found) in max.iter_mut().flatten().zip(found.into_iter().flatten()) {
                 max.pairs = max.pairs.max(found.pairs);
                 max.intersections = max.intersections.max(found.intersections);
                 max.samples = max.samples.max(found.samples);
@@ -345,14 +349,13 @@ fn measure(
         for (steps, max) in STEPS.into_iter().zip(max) {
             shapes.extend(LEVELS.map(|factor| {
                 let room = |number| (f64::from(number) * factor) as u32 + MIN_CAPACITY;
-                let gaussians = scene.len() as u32;
-                let capacity = Capacity {
-                    // one camera sees at most all Gaussians
-                    pairs: room(max.pairs).min(gaussians),
+                let capacity = |(max, gaussians): (&Capacity, &u32)| Capacity {
+                    pairs: room(max.pairs).min(*gaussians),
                     intersections: room(max.intersections),
                     samples: room(max.samples),
                 };
-                FrameShape { tiles: columns * rows, side: SIDE, steps, capacity }
+                let capacities = max.iter().zip(&gaussians).map(capacity).collect();
+                FrameShape { tiles: columns * rows, side: SIDE, steps, capacities }
             }));
         }
     }
@@ -391,18 +394,24 @@ fn replayed(shape: &FrameShape, frame: &Frame, scene_buffers: u32) -> Value {
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(buffer.contents.as_deref()?);
         Some((number(at), words))
     });
-    let Capacity { pairs, intersections, samples } = shape.capacity;
+    // as `organza_shaders::count` numbers them
+    let room = |capacity: &Capacity| {
+        let Capacity { pairs, intersections, samples } = *capacity;
+        [pairs, intersections, samples, 0, 0]
+    };
+    let cameras = frame.cameras.iter().map(|(at, place)| json!([number(*at), place]));
     json!({
         "tiles": shape.tiles,
         "side": shape.side,
         "steps": shape.steps,
-        "capacity": [pairs, intersections, samples],
+        // the room for each count after the first one, the flag for an overflow
+        "capacity": shape.capacities.iter().flat_map(room).collect::<Vec<_>>(),
         // lengths of the plan's own buffers, in bytes; they are numbered after the scene's buffers
         "buffers": plan.buffers.iter().map(|buffer| buffer.bytes).collect::<Vec<_>>(),
         // buffers with initial content, as words
         "contents": contents.collect::<Vec<_>>(),
-        "camera": number(frame.camera),
-        "tile": number(frame.tiles),
+        "cameras": cameras.collect::<Vec<_>>(),
+        "places": frame.tiles.iter().map(|at| number(*at)).collect::<Vec<_>>(),
         "counts": number(frame.counts),
         "image": number(frame.image),
         "frame": plan.steps.iter().map(|planned| step(planned, &number)).collect::<Vec<_>>(),

@@ -257,13 +257,13 @@ class Viewer {
 
   // Renders with a plan; gives nothing where it was too small.
   async render(plan, camera) {
-    const frame = this.frame(plan), [overflow, ...needed] = await frame.render(camera);
+    const frame = this.frame(plan), { overflow, needed, counts } = await frame.render(camera);
     if (overflow) {
       this.pace.tooSmall(plan);
       return null;
     }
     this.pace.sufficed(plan, needed);
-    return { frame, counts: needed };
+    return { frame, counts };
   }
 
   // The plan's memory.

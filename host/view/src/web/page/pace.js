@@ -40,7 +40,7 @@ export class Pace {
   // A frame has needed this; the smallest plan that holds it is the next one.
   sufficed(plan, needed) {
     const ladder = this.ladder(plan.tiles, plan.steps);
-    const level = ladder.findIndex(({ capacity }) => capacity.every((most, at) => needed[at] <= most));
+    const level = ladder.findIndex(({ capacity }) => needed.every((count, at) => count <= capacity[at]));
     this.level.set(this.key(plan.tiles, plan.steps), level);
   }
 

@@ -1,5 +1,8 @@
 // Plays frames that organza has planned: buffers, and dispatches of kernels. A frame waits for nothing before its end.
 
+import { column, cross, dot, scale, sub } from "./camera.js";
+
+const COUNTS = 5; // for each scene, and for its light in each other one
 const SLOT = 256; // bytes of the uniform buffer for each dispatch
 
 // What the page's script carries: its header, and the words of the scene's buffers.
@@ -63,12 +66,14 @@ export class Frame {
     const buffers = [...player.buffers, ...own], filled = new Map(plan.contents);
     this.cleared = own.filter((_, at) => !filled.has(player.buffers.length + at));
     for (const [at, words] of filled) queue.writeBuffer(buffers[at], 0, new Uint32Array(words));
-    [this.camera, this.tile, this.counts, this.image] = [plan.camera, plan.tile, plan.counts, plan.image].map((at) => buffers[at]);
+    [this.counts, this.image] = [plan.counts, plan.image].map((at) => buffers[at]);
+    this.cameras = plan.cameras.map(([at, place]) => [buffers[at], place]);
+    this.places = plan.places.map((at) => buffers[at]);
 
     const dispatches = plan.frame.filter(([name]) => player.pipelines.has(name)).length;
     const uniforms = player.buffer(SLOT * dispatches, GPUBufferUsage.UNIFORM | GPUBufferUsage.STORAGE);
     const parameters = new Uint32Array((SLOT / 4) * dispatches);
-    this.staging = player.buffer(16, GPUBufferUsage.MAP_READ);
+    this.staging = player.buffer(this.counts.size, GPUBufferUsage.MAP_READ);
     this.memory = [...own, uniforms, this.staging];
 
     // everything is bound once; counts are filled in where they are published, for all dispatches up to the next time
@@ -109,12 +114,12 @@ export class Frame {
     queue.writeBuffer(uniforms, 0, parameters);
   }
 
-  // Renders an image of a camera, which the plan has enough tiles for. Gives the counts: whether there was too little room, and how many
-  // pairs, intersections and samples there are.
+  // Renders an image of a camera, which the plan has enough tiles for. Gives whether there was too little room, and how many pairs,
+  // intersections and samples there are: of each scene, and in all.
   async render(camera) {
     const { device } = this.player, { tiles, side } = this.plan;
-    device.queue.writeBuffer(this.camera, 0, packed(camera));
-    device.queue.writeBuffer(this.tile, 0, cover(camera, side, tiles));
+    for (const [buffer, place] of this.cameras) device.queue.writeBuffer(buffer, 0, packed(camera, place));
+    for (const buffer of this.places) device.queue.writeBuffer(buffer, 0, cover(camera, side, tiles));
     const encoder = device.createCommandEncoder();
     for (const buffer of this.cleared) encoder.clearBuffer(buffer);
     let pass = null;
@@ -132,12 +137,13 @@ export class Frame {
       }
     }
     end();
-    encoder.copyBufferToBuffer(this.counts, 0, this.staging, 0, 16);
+    encoder.copyBufferToBuffer(this.counts, 0, this.staging, 0, this.staging.size);
     device.queue.submit([encoder.finish()]);
     await this.staging.mapAsync(GPUMapMode.READ);
-    const counts = [...new Uint32Array(this.staging.getMappedRange())];
+    const [overflow, ...needed] = new Uint32Array(this.staging.getMappedRange());
     this.staging.unmap();
-    return counts;
+    const sum = (kind) => needed.filter((_, at) => at % COUNTS === kind).reduce((one, other) => one + other);
+    return { overflow, needed, counts: [0, 1, 2].map(sum) };
   }
 
   get bytes() {
@@ -152,11 +158,12 @@ export class Frame {
 export const columnsOf = (camera, side) => Math.ceil(camera.w / side);
 export const tilesOf = (camera, side) => columnsOf(camera, side) * Math.ceil(camera.h / side);
 
-// A camera as kernels read it, with OpenCV axes: `Camera::pack`.
-function packed(camera) {
-  const pose = camera.camera_to_world, axis = (at, sign) => [0, 1, 2].map((row) => sign * pose[row][at]);
+// A camera as kernels read it, with OpenCV axes, in the coordinates of a place: `Placement::own_camera` and `Camera::pack`.
+function packed(camera, { offset, scale: units, up, right }) {
+  const pose = camera.camera_to_world, axes = [right, cross(up, right), up];
+  const own = (vector, factor) => scale(axes.map((axis) => dot(axis, vector)), factor), axis = (at, sign) => own(column(pose, at), sign);
   return new Float32Array([
-    ...axis(0, 1), ...axis(1, -1), ...axis(2, -1), ...axis(3, 1),
+    ...axis(0, 1), ...axis(1, -1), ...axis(2, -1), ...own(sub(column(pose, 3), offset), 1).map((x) => x / units),
     camera.fl_x, camera.fl_y, camera.cx, camera.cy, camera.w, camera.h,
   ]);
 }

@@ -27,7 +27,7 @@ fn a_list_a_place_and_a_film_give_the_same_images() {
     assert_eq!(both, listed);
     assert!(both != alone, "the second scene has no effect");
     sandbox
-        .run("film lists/two.toml cameras.json -o film --frames 2 --backend cpu --channel depth")
+        .run("film lists/two.toml cameras.json -o film --frames 2 --backend cpu")
         .assert_ok();
     assert_eq!(sandbox.images("film").len(), 2);
     let words = "view lists/two.toml --edit c.safetensors";

@@ -3,7 +3,7 @@
 mod scene;
 mod splats;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -91,34 +91,10 @@ pub struct TileFile {
     tiles: usize,
     output_shape: [usize; 4],
     output_bytes: u64,
-    /// One entry per camera, by ascending index.
-    cameras: Vec<CameraTiles>,
-}
-
-/// The tiles of one camera.
-#[derive(Debug, Serialize)]
-struct CameraTiles {
-    camera: usize,
-    tiles: usize,
-    /// Column and row of the first pixel, and of the pixel after the last.
-    low: [i32; 2],
-    high: [i32; 2],
 }
 
 impl TileFile {
     pub fn new(path: &Path, batch: &TileBatch) -> Self {
-        let mut cameras: BTreeMap<usize, CameraTiles> = BTreeMap::new();
-        for tile in &batch.tiles {
-            let low = tile.origin;
-            let high = tile.origin.map(|at| at + batch.side as i32);
-            let empty = CameraTiles { camera: tile.camera, tiles: 0, low, high };
-            let camera = cameras.entry(tile.camera).or_insert(empty);
-            camera.tiles += 1;
-            for axis in 0..2 {
-                camera.low[axis] = camera.low[axis].min(low[axis]);
-                camera.high[axis] = camera.high[axis].max(high[axis]);
-            }
-        }
         let output_shape = batch.output_shape();
         Self {
             kind: "tiles",
@@ -128,7 +104,6 @@ impl TileFile {
             tiles: batch.tiles.len(),
             output_shape,
             output_bytes: 4 * output_shape.iter().map(|&size| size as u64).product::<u64>(),
-            cameras: cameras.into_values().collect(),
         }
     }
 }
@@ -140,13 +115,7 @@ impl fmt::Display for TileFile {
         let shape = self.output_shape;
         let bytes = format_bytes(self.output_bytes);
         let tiles = count(self.tiles as u64, "tile");
-        writeln!(f, "{tiles} of {side} x {side}, rendered as {shape:?} ({bytes})\n")?;
-        let mut table = Table::new(0, ["camera", "tiles", "columns", "rows"]);
-        for camera in self.cameras.iter().take(MAX_ROWS) {
-            let range = |axis: usize| format!("{} to {}", camera.low[axis], camera.high[axis] - 1);
-            table.row([camera.camera.to_string(), camera.tiles.to_string(), range(0), range(1)]);
-        }
-        write!(f, "{table}{}", and_more(self.cameras.len()))
+        writeln!(f, "{tiles} of {side} x {side}, rendered as {shape:?} ({bytes})")
     }
 }
 

@@ -59,6 +59,8 @@ impl Parity for CoreFunctions {
         };
         let value = match index / self.u.len() {
             0 => u32::from(((index % WORKGROUP) ^ 1).is_multiple_of(3)),
+            12 => (a + b) as u32,
+            24 => u32::from(a < b),
             59 => bits(x.floor()),
             60 => bits(x.round()),
             61 => bits(x.trunc()),

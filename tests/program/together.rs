@@ -26,9 +26,7 @@ fn a_list_a_place_and_a_film_give_the_same_images() {
     let [both, listed, alone] = ["a", "b", "alone"].map(|folder| sandbox.images(folder));
     assert_eq!(both, listed);
     assert!(both != alone, "the second scene has no effect");
-    sandbox
-        .run("film lists/two.toml cameras.json -o film --frames 2 --backend cpu")
-        .assert_ok();
+    sandbox.run("film lists/two.toml cameras.json -o film --frames 2 --backend cpu").assert_ok();
     assert_eq!(sandbox.images("film").len(), 2);
     let words = "view lists/two.toml --edit c.safetensors";
     sandbox.assert_refuses(words, &["`--edit` takes one scene"]);

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -91,11 +92,15 @@ def import_splats(
     Such a file has no networks. So the Gaussians are rendered as a viewer that sorts, and the scene is trained on these images for
     `steps`, 1 to 10,000,000. `cameras` are best those that the Gaussians were trained with (`dataset.cameras`); every eighth is only
     measured. Without, 48 stand all around the Gaussians. The longest side of an image is made at most `side` pixels, 16 to 4096.
-    `background` is a color's name, or red, green and blue, 0 to 1: files do not have it.
+    `background` is a color's name, or red, green and blue, 0 to 1: files do not have it. What may be wrong with the file or the
+    cameras is a warning.
 
     Raises `FileNotFoundError`, `ValueError` for a file that is damaged or of another kind, no cameras, or a number out of range, and
     `MemoryError`.
     """
     color = background if isinstance(background, str) else ",".join(str(float(value)) for value in background)
     views = None if cameras is None else cameras._core
-    return Imported(*_organza.import_splats(renderer or Renderer(), path, views, steps, side, color))
+    scene, psnr, notes = _organza.import_splats(renderer or Renderer(), path, views, steps, side, color)
+    for note in notes:
+        warnings.warn(note, stacklevel=2)
+    return Imported(scene, psnr)

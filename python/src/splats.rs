@@ -83,7 +83,7 @@ pub fn export<'py>(
     Ok(dict)
 }
 
-/// Makes a scene from a file of Gaussians. Returns the PSNR between its images and the file's, in dB.
+/// Makes a scene from a file of Gaussians. Returns the PSNR between its images and the file's, in dB, and warnings.
 #[pyfunction]
 pub fn import_splats(
     py: Python<'_>,
@@ -93,7 +93,7 @@ pub fn import_splats(
     steps: i64,
     side: i64,
     background: &str,
-) -> PyResult<(Scene, Option<f64>)> {
+) -> PyResult<(Scene, Option<f64>, Vec<String>)> {
     let steps = within("steps", steps, Import::STEPS)?;
     let side = within("side", side, Fit::SIDES)?;
     let background = background.parse::<Background>();
@@ -110,7 +110,7 @@ pub fn import_splats(
         let options = Import { steps, side, background };
         splats::import(&renderer, file, &views, options, &mut |_| awaited())
     })?;
-    Ok((Scene::new(imported.scene), imported.psnr))
+    Ok((Scene::new(imported.scene), imported.psnr, imported.notes))
 }
 
 fn within(name: &str, value: i64, range: RangeInclusive<i64>) -> PyResult<u32> {

@@ -12,9 +12,6 @@ use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::check_scene_file;
 use super::summary::count;
 
-/// A scene in fewer of the pixels is seen from too far away, or not at all.
-const COVERED: f64 = 0.05;
-
 const EXAMPLES: &str = "\
 Examples:
   organza import scene.ply data/fox -o scene.safetensors    on the cameras that it was trained with
@@ -74,7 +71,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     } else {
         file.views()?
     };
-    file.notes.iter().for_each(|note| console.warn(&format!("{name}: {note}")));
+    // before the minutes of training
+    let notes = std::mem::take(&mut file.notes);
+    notes.iter().for_each(|note| console.warn(&format!("{name}: {note}")));
     let renderer = args.device.open(console)?;
     let options = Import { steps: args.steps, side: args.side, background };
     let imported = {
@@ -86,13 +85,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         splats::import(&renderer, file, &views, options, &mut progress)?
     };
     imported.scene.save(&args.output)?;
-    if imported.covered < COVERED {
-        console.warn(&format!(
-            "the Gaussians are in {:.1}% of the pixels, so the scene is hardly trained, and its PSNR means little: name \
-             cameras that see them",
-            100.0 * imported.covered
-        ));
-    }
+    imported.notes.iter().for_each(|note| console.warn(note));
     if let Some(psnr) = imported.psnr {
         console.note(&format!(
             "in {} that training has not seen, the scene is {psnr:.2} dB from the file's own images",

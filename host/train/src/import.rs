@@ -12,6 +12,9 @@ use organza_data::{Dataset, Frame, Photograph};
 use organza_render::Renderer;
 use organza_splats::{SplatFile, Views, render};
 
+/// A scene in a smaller part of the pixels is seen from too far away, or not at all.
+const COVERED: f64 = 0.05;
+
 /// Settings for turning Gaussians into a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Import {
@@ -43,8 +46,8 @@ pub struct Imported {
     /// Mean PSNR, in dB, of its images against the file's, over views that training has not seen. `None` without such
     /// views.
     pub psnr: Option<f64>,
-    /// Part of the pixels of all views in which the file shows anything but the background.
-    pub covered: f64,
+    /// What may be wrong with the file or the views, for the user to read.
+    pub notes: Vec<String>,
 }
 
 /// Makes a scene with the same images as the Gaussians of a file. Training adapts the networks, and moves all values of the
@@ -61,6 +64,8 @@ pub fn import(
     progress: &mut dyn FnMut(usize) -> Result<()>,
 ) -> Result<Imported> {
     let Views { fitted: cameras, judges } = views;
+    let path = file.path.display();
+    let mut notes: Vec<_> = file.notes.iter().map(|note| format!("{path}: {note}")).collect();
     let all: Vec<_> = cameras.iter().chain(judges).cloned().collect();
     let placement = Placement::of(&all, &[]);
     let own: Vec<_> = all.iter().map(|camera| placement.own_camera(camera)).collect();
@@ -78,6 +83,13 @@ pub fn import(
     let pixels = frames.iter().flat_map(|frame| frame.image.pixels());
     let covered = pixels.clone().filter(|&&pixel| pixel != background).count() as f64;
     let covered = covered / pixels.count() as f64;
+    if covered < COVERED {
+        notes.push(format!(
+            "the Gaussians are in {:.1}% of the pixels, so the scene is hardly trained, and its PSNR means little: name \
+             cameras that see them",
+            100.0 * covered
+        ));
+    }
     let mut dataset = Dataset::from_frames(frames, 0).placed(placement);
     dataset.held_out = dataset.train.split_off(cameras.len());
     dataset.background = options.background.map(f64::from);
@@ -92,7 +104,7 @@ pub fn import(
         progress(trainer.steps() as usize)?;
     }
     let psnr = trainer.evaluate()?.mean.psnr;
-    Ok(Imported { scene: trainer.scene().download(renderer.device())?, psnr, covered })
+    Ok(Imported { scene: trainer.scene().download(renderer.device())?, psnr, notes })
 }
 
 /// The settings of training: the number of Gaussians is constant, and their positions and shapes change slowly.

@@ -82,6 +82,14 @@ impl Binding {
         &self.data
     }
 
+    /// The settings of the run of a checkpoint, which is at `path`.
+    ///
+    /// # Errors
+    /// The same errors as [`TrainConfig::parse`].
+    pub fn settings(&self, path: &Path) -> Result<TrainConfig> {
+        TrainConfig::parse(&self.settings, path)
+    }
+
     /// Reads the binding of a run's checkpoint.
     ///
     /// # Errors
@@ -112,7 +120,7 @@ impl Binding {
         folder: &Path,
     ) -> Result<Vec<Change>> {
         let invalid = |reason| Err(Error::Invalid { origin: folder.join(CONFIG), reason });
-        let then = TrainConfig::parse(&self.settings, &folder.join(CHECKPOINT))?;
+        let then = self.settings(&folder.join(CHECKPOINT))?;
         if config.run.steps != then.run.steps && config.run.steps <= step {
             let steps = config.run.steps;
             return invalid(format!(

@@ -45,7 +45,10 @@ fn every_command_notices_another_order_of_frames() {
         sandbox.assert_refuses(words, &facts);
     }
     // what is named is taken as it is
-    sandbox.run("eval run views --backend cpu").assert_ok().says(&["warning: views: its frames"]);
+    for scene in ["run", "run/checkpoint.safetensors"] {
+        let words = format!("eval {scene} views --backend cpu");
+        sandbox.run(&words).assert_ok().says(&["warning: views: its frames"]);
+    }
     sandbox.shell("cp -r views other").assert_ok();
     let outcome = sandbox.run("eval run other --backend cpu").assert_ok();
     assert!(outcome.stderr.starts_with("other: its frames"), "{outcome:?}");

@@ -171,7 +171,7 @@ impl DataSet {
     }
 
     /// [`Self::open`] for a scene. The data set of its run must be what the run was trained on, and gets the cameras that the
-    /// run has refined. One that the user has named is taken as it is.
+    /// run has refined. One that the user has named is taken as it is, and a note says if it is another one.
     pub fn of(
         scene: &SceneSource,
         named: Option<&Path>,
@@ -179,10 +179,16 @@ impl DataSet {
         console: Console,
     ) -> Result<Self> {
         let mut data = Self::open(settings, scene.placement(), console)?;
-        let Some(run) = scene.settings()? else { return Ok(data) };
+        let (run, binding) = match scene.settings()? {
+            Some(run) => (run, Binding::load(scene.file())?),
+            // a checkpoint alone also knows its run, and other files do not
+            None => match Binding::load(scene.file()) {
+                Ok(binding) => (binding.settings(scene.file())?, binding),
+                Err(_) => return Ok(data),
+            },
+        };
         let other = data.as_trained(&run.data)?;
         let trained = other.as_ref().or(data.poses.as_ref());
-        let binding = Binding::load(scene.file())?;
         if let Some(poses) = trained
             && let Some(what) = poses.difference(binding.data())
         {
@@ -221,8 +227,8 @@ impl DataSet {
     /// The poses as a run has read them, if options now hold out other frames or change the size.
     fn as_trained(&self, run: &DataConfig) -> Result<Option<Poses>> {
         let own = self.settings.options();
-        let DataConfig { downscale, hold_out_every, .. } = *run;
-        let trained = DatasetOptions { downscale, hold_out_every, ..own.clone() };
+        let DataConfig { downscale, hold_out_every, hold_out_length, .. } = *run;
+        let trained = DatasetOptions { downscale, hold_out_every, hold_out_length, ..own.clone() };
         match &self.settings.path {
             Some(path) if trained != own => Poses::load(path, &trained).map(Some),
             _ => Ok(None),

@@ -283,8 +283,9 @@ fn hint(path: &Path, missing: Option<&Path>) -> Option<String> {
         // files written on Windows have backslashes
         let missing = PathBuf::from(missing.to_string_lossy().replace('\\', "/"));
         let photograph = Path::new(missing.file_name()?);
-        let has = |folder: &&Path| find::with_extension(folder, photograph).is_some();
-        if let Some(found) = folders.iter().map(PathBuf::as_path).chain([path]).find(has) {
+        let has = |folder: &PathBuf| find::with_extension(folder, photograph).is_some();
+        let others = [path.to_owned(), path.join("../images"), path.join("..")];
+        if let Some(found) = folders.iter().cloned().chain(others).find(has) {
             // a tail of a photograph's path is enough
             let wanted = match missing.parent().filter(|parent| *parent != path) {
                 Some(parent) => path.join(parent.file_name()?),

@@ -171,6 +171,10 @@ fn photographs_in_another_folder_are_named() {
     let folder = nerfstudio_folder(&transforms(2));
     let root = folder.path();
     let move_to = format!("move them to {}", root.join("images").display());
+    let below = root.join("poses");
+    fs::create_dir(&below).unwrap();
+    fs::copy(root.join("transforms.json"), below.join("transforms.json")).unwrap();
+    assert_refused(&below, &["of these names are in", "poses/../images: move"]);
     fs::rename(root.join("images"), root.join("photos")).unwrap();
     let photos = root.join("photos").display().to_string();
     assert_refused(root, &["none of the 2 photographs", &photos, &move_to]);

@@ -1,9 +1,9 @@
 //! Finds points to start from in the photographs of a data set that has none.
 //!
 //! This is a plane sweep (Collins 1996), one ray at a time. A pixel's ray is cut into depths. A depth is likely if
-//! photographs of neighboring cameras show the pixel's colors there. Each ray gives one point, drawn by that
-//! likelihood. A clear match becomes a point on a surface. A ray that matches everywhere becomes a point somewhere
-//! along it.
+//! photographs of neighboring cameras show the pixel's colors there. Two depths are drawn by that likelihood. If they are
+//! neighbors, the ray gives a point. So a clear match becomes a point on a surface, and a ray that matches everywhere
+//! hardly ever becomes one.
 
 use glam::{DMat3, DVec3, Vec3};
 use rand::{Rng, RngExt};
@@ -30,7 +30,9 @@ const SAME_SIDE: f64 = 0.5;
 const SIDE: u32 = 200;
 /// Color difference that makes a depth e times less likely.
 const NOISE: f32 = 0.01;
-/// Number of rays tried per point: some match nowhere, and much of an object's photograph may be empty.
+/// Two draws of a depth that are farther apart, in depths, say that a ray matches in several places.
+const APART: f64 = 2.5;
+/// Number of rays tried per point: some match nowhere or everywhere, and much of an object's photograph may be empty.
 const TRIES: u32 = 20;
 /// Opacity from which a pixel shows the scene, and not the background.
 const SOLID: f32 = 0.5;
@@ -231,34 +233,35 @@ impl<'v> Ray<'v> {
         Some(agreeing.iter().sum::<f32>() / agreeing.len() as f32)
     }
 
-    /// A point on the ray, drawn by how well photographs agree on it.
+    /// A point on the ray, drawn by how well photographs agree on it. `None` if they agree nowhere, or in several places: then two
+    /// draws are apart.
     fn point(&self, views: &[ReducedView], distance: f64, random: &mut impl Rng) -> Option<Point> {
         let [first, last] = RANGE.map(|range| 1.0 / (range * distance));
         let step = (first - last) / DEPTHS as f64;
-        let mut best: Option<(f32, f64)> = None;
-        for index in 0..DEPTHS {
-            let inverse = last + (index as f64 + 0.5) * step;
-            // the smallest sum is drawn with a probability proportional to exp(-difference / NOISE): Gumbel's trick
-            let uniform: f32 = random.random_range(f32::MIN_POSITIVE..1.0);
-            let Some(difference) = self.difference(inverse) else { continue };
-            let key = difference / NOISE + (-uniform.ln()).ln();
-            if best.is_none_or(|(min, _)| key < min) && self.is_possible(inverse, views) {
-                best = Some((key, inverse));
-            }
-        }
-        let (_, mut inverse) = best?;
-        // refine between two depths
-        for part in [0.5, 0.25, 0.125] {
-            let near = [inverse - part * step, inverse, inverse + part * step];
-            let score = |at: f64| self.difference(at).unwrap_or(f32::INFINITY);
-            let [before, here, after] = near.map(score);
-            inverse = if before < here.min(after) {
-                near[0]
-            } else if after < here {
-                near[2]
-            } else {
-                inverse
+        let depths = (0..DEPTHS).map(|index| last + (index as f64 + 0.5) * step);
+        let scored = depths.filter_map(|inverse| Some((self.difference(inverse)?, inverse)));
+        let scored: Vec<_> = scored.collect();
+        // the smallest sum is drawn with a probability proportional to exp(-difference / NOISE): Gumbel's trick
+        let mut draw = || {
+            let key = |&(difference, inverse): &(f32, f64)| {
+                let uniform: f32 = random.random_range(f32::MIN_POSITIVE..1.0);
+                (difference / NOISE + (-uniform.ln()).ln(), inverse)
             };
+            let mut keys: Vec<_> = scored.iter().map(key).collect();
+            keys.sort_by(|a, b| a.0.total_cmp(&b.0));
+            keys.into_iter().find(|(_, inverse)| self.is_possible(*inverse, views))
+        };
+        let (_, mut inverse) = draw()?;
+        let (_, other) = draw()?;
+        if (other - inverse).abs() > APART * step {
+            return None;
+        }
+        // refine between two depths
+        let score = |at: &f64| self.difference(*at).unwrap_or(f32::INFINITY);
+        for part in [0.5, 0.25, 0.125] {
+            let near = [inverse, inverse - part * step, inverse + part * step];
+            let best = near.into_iter().min_by(|a, b| score(a).total_cmp(&score(b)));
+            inverse = best.unwrap_or(inverse);
         }
         let color = (self.color * 255.0).round().to_array().map(|value| value as u8);
         Some(Point { position: self.at(inverse).to_array(), color: Some(color) })

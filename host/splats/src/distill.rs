@@ -1,44 +1,40 @@
-//! Distills a scene into Gaussians for viewers that sort. Colors and opacities first come from the scene's networks,
-//! and are then fitted to its images.
+//! Distills a scene into Gaussians for viewers that sort. Colors and opacities first come from the scene's networks and from what
+//! its images show of each Gaussian, and are then fitted to these images.
 
 use std::ops::RangeInclusive;
 
 use bytemuck::Zeroable;
-use glam::Vec3;
 use muslin::math::sigmoid;
 use organza_core::error::argument;
 use organza_core::memory;
+use organza_data::random;
+use rand::seq::SliceRandom;
 use rayon::prelude::*;
 
-use super::harmonics::{HARMONICS, Sample, fit, harmonics};
+use super::first::first;
+use super::harmonics::HARMONICS;
 use super::sorted::render;
 use super::sorted_backward::gradient;
 use super::views::between;
 use super::{Splat, VALUES, Views};
-use organza_core::scene::{Scene, logit};
+use organza_core::scene::Scene;
 use organza_core::{Camera, Image, Result, metrics};
 use organza_render::{DeviceScene, Renderer};
 
-/// Most pairs of a camera and a Gaussian to which the harmonics are fitted.
-const MAX_PAIRS: usize = 8_000_000;
-/// Fewest and most cameras to which the harmonics are fitted.
-const CAMERAS: [usize; 2] = [8, 64];
+const SHUFFLE: u64 = 7;
+
 /// Least number of compared views. If there are fewer cameras, cameras between them are added: otherwise, harmonics
 /// and opacities would only fit a few views.
 const VIEWS: usize = 160;
-/// Least weight of a color: if nothing of it is visible, and if it is outside the image.
-const MIN_WEIGHT: [f32; 2] = [0.02, 0.002];
-/// Smallest and largest opacity at the start: at 0 and 1, no gradient would change them.
-const OPACITIES: [f32; 2] = [0.002, 0.98];
 /// Largest absolute value of an opacity's logit.
 const LARGEST_LOGIT: f32 = 9.0;
 /// Adam's rates at the first step. A position's is relative to the Gaussian's own size.
-const POSITION: f32 = 0.02;
-const ROTATION: f32 = 4e-3;
-const LOG_SCALE: f32 = 8e-3;
-const OPACITY: f32 = 0.05;
-const FIRST_COLOR: f32 = 0.015;
-const OTHER_COLORS: f32 = 0.003;
+const POSITION: f32 = 0.04;
+const ROTATION: f32 = 8e-3;
+const LOG_SCALE: f32 = 0.016;
+const OPACITY: f32 = 0.1;
+const FIRST_COLOR: f32 = 0.03;
+const OTHER_COLORS: f32 = 0.006;
 /// Factor of the rates at the last step.
 const LAST: f32 = 0.05;
 /// Adam's decays and epsilon.
@@ -63,10 +59,10 @@ impl Fit {
     pub const SIDES: RangeInclusive<i64> = 16..=4096;
 }
 
-/// 500 steps, with views of 480 pixels.
+/// 200 steps, with views of 480 pixels.
 impl Default for Fit {
     fn default() -> Self {
-        Self { steps: 500, side: 480 }
+        Self { steps: 200, side: 480 }
     }
 }
 
@@ -163,7 +159,7 @@ pub fn distill(
         return argument("distilling a scene needs a camera");
     }
     let background = background(scene);
-    let mut splats = first(renderer, scene, uploaded, cameras)?;
+    let mut splats = first(renderer, scene, uploaded, cameras, options.side)?;
     let judges = Judges::new(renderer, scene, uploaded, views, options)?;
     let first_psnr = judges.psnr(&splats);
     let steps = options.steps as usize;
@@ -176,11 +172,12 @@ pub fn distill(
     };
     memory::check(3 * targets.iter().map(pixels).sum::<u64>(), "the images to compare")?;
     let target = |camera| Target::new(renderer, uploaded, camera, options.side);
-    let targets = targets.into_iter().map(target).collect::<Result<Vec<_>>>()?;
+    let mut targets = targets.into_iter().map(target).collect::<Result<Vec<_>>>()?;
+    // so that successive steps do not compare neighbors
+    targets.shuffle(&mut random(0, SHUFFLE, 0));
     let mut adam = Adam::new(splats.len())?;
-    let stride = stride(targets.len());
     for step in 0..steps {
-        let Target { camera, image } = &targets[step * stride % targets.len()];
+        let Target { camera, image } = &targets[step % targets.len()];
         let gradient = gradient(&splats, camera, background, &colors(image.pixels()));
         let rate = LAST.powf(step as f32 / options.steps as f32);
         adam.step(&mut splats, &gradient, rate);
@@ -211,57 +208,6 @@ fn colors(pixels: &[[u8; 3]]) -> Vec<[f32; 3]> {
 fn displayed(mut image: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
     image.as_flattened_mut().iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
     image
-}
-
-/// A number near 0.6 n whose multiples visit all n views, so that successive steps do not compare neighbors.
-fn stride(n: usize) -> usize {
-    let has_no_divisor = |&stride: &usize| {
-        let mut a = n;
-        let mut b = stride;
-        while b > 0 {
-            (a, b) = (b, a % b);
-        }
-        a == 1
-    };
-    (1..=n * 6 / 10).rev().find(has_no_divisor).unwrap_or(1)
-}
-
-/// The start of the fit: harmonics fitted to the networks' colors for the cameras, and opacities times the largest T.
-fn first(
-    renderer: &Renderer,
-    scene: &Scene,
-    uploaded: &DeviceScene,
-    cameras: &[Camera],
-) -> Result<Vec<Splat>> {
-    let gaussians = &scene.gaussians;
-    let max = (MAX_PAIRS / gaussians.len().max(1)).clamp(CAMERAS[0], CAMERAS[1]);
-    let every = cameras.len().div_ceil(max).max(1);
-    let shades = |camera| Ok((camera, renderer.shades(uploaded, camera)?));
-    let cameras = cameras.iter().step_by(every).map(shades).collect::<Result<Vec<_>>>()?;
-    let splat = |gaussian: usize| {
-        let position = gaussians.position[gaussian];
-        let place = position.map(f64::from);
-        let mut largest: f32 = 0.0;
-        let sample = |(camera, (colors, transmittance)): &(&Camera, (Vec<_>, Vec<f32>))| {
-            let eye = Vec3::from(camera.eye().map(|x| x as f32));
-            let is_seen = camera.depth_in_image(place).is_some();
-            let through = if is_seen { transmittance[gaussian] } else { 0.0 };
-            largest = largest.max(through);
-            let weight = through + MIN_WEIGHT[usize::from(!is_seen)];
-            Sample { basis: harmonics(eye, position), color: colors[gaussian], weight }
-        };
-        let samples: Vec<_> = cameras.iter().map(sample).collect();
-        let opacity = sigmoid(gaussians.opacity[gaussian]) * largest;
-        let opacity = opacity.clamp(OPACITIES[0], OPACITIES[1]);
-        Splat {
-            position,
-            rotation: gaussians.rotation[gaussian],
-            log_scale: gaussians.log_scale[gaussian],
-            opacity: logit(opacity),
-            color: fit(&samples),
-        }
-    };
-    Ok((0..gaussians.len()).into_par_iter().map(splat).collect())
 }
 
 /// Adam (Kingma and Ba 2015). A Gaussian takes a step if the view shows it.
@@ -330,19 +276,5 @@ fn rates(splat: &Splat) -> Splat {
         log_scale: [LOG_SCALE; 3],
         opacity: OPACITY,
         color,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn all_views_are_visited() {
-        for n in 1..100 {
-            let mut seen = vec![false; n];
-            (0..n).for_each(|step| seen[step * stride(n) % n] = true);
-            assert!(seen.iter().all(|&seen| seen), "{n}");
-        }
     }
 }

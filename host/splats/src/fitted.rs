@@ -1,6 +1,6 @@
 //! Compares the Gaussians of a file with photographs, in its own axes and in other files' axes.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, Vec3};
 use organza_core::scene::Placement;
 use organza_core::{Camera, Error, Result};
 use organza_data::Frame;
@@ -41,13 +41,11 @@ impl Coarse {
             let columns = range(at % camera.width, camera.width, image.width());
             let rows = range(at / camera.width, camera.height, image.height());
             let places = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
-            let mut sum = [0.0; 3];
-            let mut count = 0.0;
-            for (x, y) in places.filter(|(x, y)| image.is_valid(*x, *y)) {
-                sum.iter_mut().zip(image.color(x, y)).for_each(|(sum, value)| *sum += value);
-                count += 1.0;
-            }
-            (count > 0.0).then(|| sum.map(|sum| sum / count))
+            let valid = places.filter(|(x, y)| image.is_valid(*x, *y));
+            let (sum, count) = valid.fold((Vec3::ZERO, 0.0), |(sum, count), (x, y)| {
+                (sum + Vec3::from(image.color(x, y)), count + 1.0)
+            });
+            (count > 0.0).then(|| (sum / count).to_array())
         };
         let colors = (0..camera.width * camera.height).into_par_iter().map(pixel).collect();
         Self { camera, colors }
@@ -59,17 +57,16 @@ impl Coarse {
         let open = black.iter().zip(&white).map(|(black, white)| white[0] - black[0]);
         let open: Vec<_> = open.map(|open| open.clamp(0.0, 1.0)).collect();
         // least squares of `color = black + open background`
-        let mut sums = [0.0; 3];
+        let mut sum = Vec3::ZERO;
         let mut squares = 0.0;
         for ((black, open), color) in black.iter().zip(&open).zip(&self.colors) {
             let Some(color) = color else { continue };
             squares += open * open;
-            let terms = color.iter().zip(black).map(|(color, black)| open * (color - black));
-            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+            sum += *open * (Vec3::from(*color) - Vec3::from(*black));
         }
-        let background = sums.map(|sum| if squares > 0.0 { sum / squares } else { 0.0 });
+        let background = if squares > 0.0 { sum / squares } else { Vec3::ZERO };
         let pixel = |(black, open): (&[f32; 3], &f32)| {
-            (std::array::from_fn(|channel| black[channel] + open * background[channel]), 1.0 - open)
+            ((Vec3::from(*black) + *open * background).to_array(), 1.0 - open)
         };
         black.iter().zip(&open).map(pixel).collect()
     }
@@ -211,16 +208,10 @@ fn rounded(x: f64) -> f64 {
 /// What x, y and z become, such as `x, -y, -z`.
 fn named(axes: DMat3) -> String {
     let name = |axis: DVec3| {
-        let [x, y, z] = axis.to_array();
-        let sign = if x + y + z < 0.0 { "-" } else { "" };
-        let letter = if x != 0.0 {
-            "x"
-        } else if y != 0.0 {
-            "y"
-        } else {
-            "z"
-        };
-        format!("{sign}{letter}")
+        let parts = axis.to_array();
+        let at = parts.iter().position(|part| *part != 0.0).unwrap_or(0);
+        let sign = if parts[at] < 0.0 { "-" } else { "" };
+        format!("{sign}{}", ["x", "y", "z"][at])
     };
     [0, 1, 2].map(|row| name(axes.row(row))).join(", ")
 }

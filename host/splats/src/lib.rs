@@ -8,6 +8,7 @@
 
 mod distill;
 mod files;
+mod first;
 mod fitted;
 mod harmonics;
 mod kept;

@@ -9,6 +9,7 @@ use glam::DVec3;
 use organza_core::error::{Result, argument};
 use organza_core::memory;
 use organza_render::Surface;
+use petgraph::unionfind::UnionFind;
 use rayon::prelude::*;
 
 /// Distances count up to this many cells on both sides of a surface.
@@ -67,20 +68,18 @@ impl Mesh {
 
     /// Removes parts of few triangles, and vertices without triangles.
     fn remove_floating(&mut self) {
-        let mut parent: Vec<u32> = (0..self.position.len() as u32).collect();
+        let mut parts = UnionFind::<u32>::new(self.position.len());
         for &[a, b, c] in &self.face {
-            let root = find(&mut parent, a);
-            for other in [b, c] {
-                let other = find(&mut parent, other);
-                parent[other as usize] = root;
-            }
+            parts.union(a, b);
+            parts.union(a, c);
         }
-        let mut triangles = vec![0_usize; parent.len()];
+        let part = parts.into_labeling();
+        let mut triangles = vec![0_usize; part.len()];
         for face in &self.face {
-            triangles[find(&mut parent, face[0]) as usize] += 1;
+            triangles[part[face[0] as usize] as usize] += 1;
         }
         let fewest = SMALLEST_PART * self.face.len() as f64;
-        self.face.retain(|face| triangles[find(&mut parent, face[0]) as usize] as f64 >= fewest);
+        self.face.retain(|face| triangles[part[face[0] as usize] as usize] as f64 >= fewest);
         let mut place = vec![u32::MAX; self.position.len()];
         let mut kept = Vec::new();
         for vertex in self.face.as_flattened_mut() {
@@ -93,17 +92,6 @@ impl Mesh {
         }
         self.position = kept;
     }
-}
-
-/// The root of a vertex's part. Halves the path to it.
-fn find(parent: &mut [u32], vertex: u32) -> u32 {
-    let mut at = vertex;
-    while parent[at as usize] != at {
-        let above = parent[parent[at as usize] as usize];
-        parent[at as usize] = above;
-        at = above;
-    }
-    at
 }
 
 /// A box of points at equal distances.

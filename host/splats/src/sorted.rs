@@ -1,5 +1,7 @@
 //! Renders like a viewer that sorts: Gaussians are blended from front to back, in order of depth.
 
+use std::ops::AddAssign;
+
 use glam::{Vec2, Vec3, Vec4};
 use muslin::math::sigmoid;
 use organza_shaders::camera::Camera as KernelCamera;
@@ -25,6 +27,7 @@ const DARK: f32 = 1e-4;
 pub(super) struct SortedView {
     pub camera: KernelCamera,
     size: [usize; 2],
+    gaussians: usize,
     /// The Gaussians that the image can show, the nearest first.
     pub placed: Vec<Placed>,
     /// For each tile, row by row: indices into `placed`, ascending.
@@ -43,7 +46,7 @@ pub(super) struct Placed {
     /// Largest q of a pixel in that area.
     reach: f32,
     pub opacity: f32,
-    pub color: [f32; 3],
+    pub color: Vec3,
 }
 
 impl Placed {
@@ -66,12 +69,12 @@ impl Placed {
             extent: found.extent * (reach / FALLOFF_CUTOFF).sqrt(),
             reach,
             opacity,
-            color: color_of(&splat.color, &basis).map(|channel| channel.max(0.0)),
+            color: Vec3::from(color_of(&splat.color, &basis)).max(Vec3::ZERO),
         })
     }
 
     /// Alpha at a pixel and the offset from the center; `None` if alpha is too small.
-    fn alpha(&self, x: f32, y: f32) -> Option<(f32, Vec2)> {
+    pub fn alpha(&self, x: f32, y: f32) -> Option<(f32, Vec2)> {
         let offset = Vec2::new(x - self.mean.x, y - self.mean.y);
         let q = mahalanobis(self.conic, offset.x, offset.y);
         // rounding may make the q of a needle negative
@@ -111,7 +114,7 @@ impl SortedView {
                 }
             }
         }
-        Self { camera, size, placed, tiles }
+        Self { camera, size, gaussians: splats.len(), placed, tiles }
     }
 
     pub fn pixels(&self) -> usize {
@@ -131,6 +134,30 @@ impl SortedView {
             (left..(left + SIDE).min(width)).map(pixel)
         };
         (intersections, (top..(top + SIDE).min(height)).flat_map(row))
+    }
+
+    /// A sum over the image for each Gaussian of the scene. `add` adds the pixels of a tile to the tile's Gaussians.
+    pub fn sums<S: Clone + Default + Send + AddAssign>(
+        &self,
+        add: impl Fn(&[Placed], &mut dyn Iterator<Item = (f32, f32, usize)>, &mut [S]) + Sync,
+    ) -> Vec<S> {
+        let tiles: Vec<_> = (0..self.tiles.len())
+            .into_par_iter()
+            .map(|tile| {
+                let (intersections, mut pixels) = self.tile(tile);
+                let mut sums = vec![S::default(); intersections.len()];
+                add(&intersections, &mut pixels, &mut sums);
+                sums
+            })
+            .collect();
+        // tile after tile, so that sums have a fixed order
+        let mut all = vec![S::default(); self.gaussians];
+        for (sums, intersections) in tiles.into_iter().zip(&self.tiles) {
+            for (sum, &index) in sums.into_iter().zip(intersections) {
+                all[self.placed[index as usize].gaussian as usize] += sum;
+            }
+        }
+        all
     }
 }
 
@@ -152,28 +179,23 @@ pub(super) fn blend(
     intersections: &[Placed],
     x: f32,
     y: f32,
-    background: [f32; 3],
+    background: Vec3,
     hits: &mut Vec<Hit>,
-) -> [f32; 3] {
+) -> Vec3 {
     hits.clear();
-    let mut color = [0.0; 3];
+    let mut color = Vec3::ZERO;
     let mut light = 1.0;
     for (intersection, placed) in intersections.iter().enumerate() {
         let Some((alpha, offset)) = placed.alpha(x, y) else { continue };
         hits.push(Hit { intersection, alpha, offset, light });
         let alpha = alpha.min(MAX_ALPHA);
-        for (sum, channel) in color.iter_mut().zip(placed.color) {
-            *sum += light * alpha * channel;
-        }
+        color += light * alpha * placed.color;
         light *= 1.0 - alpha;
         if light < DARK {
             break;
         }
     }
-    for (sum, channel) in color.iter_mut().zip(background) {
-        *sum += light * channel;
-    }
-    color
+    color + light * background
 }
 
 /// The image of some Gaussians, row by row. Values are not clamped to 0 to 1.
@@ -184,13 +206,14 @@ pub fn render(splats: &[Splat], camera: &Camera, background: [f32; 3]) -> Vec<[f
         .map(|tile| {
             let (intersections, pixels) = view.tile(tile);
             let mut hits = Vec::new();
-            let pixel = |(x, y, at)| (at, blend(&intersections, x, y, background, &mut hits));
+            let pixel =
+                |(x, y, at)| (at, blend(&intersections, x, y, background.into(), &mut hits));
             pixels.map(pixel).collect::<Vec<_>>()
         })
         .collect();
     let mut image = vec![[0.0; 3]; view.pixels()];
     for (at, color) in tiles.into_iter().flatten() {
-        image[at] = color;
+        image[at] = color.into();
     }
     image
 }

@@ -1,30 +1,30 @@
 //! Derivatives of the image that a viewer that sorts shows, with respect to every value of the Gaussians.
 
+use std::ops::AddAssign;
+
 use glam::{Vec2, Vec3, Vec4};
 use organza_shaders::camera::Camera as KernelCamera;
 use organza_shaders::project_backward::project_gaussian_backward;
 use rayon::prelude::*;
 
 use super::Splat;
-use super::harmonics::{HARMONICS, harmonics};
+use super::harmonics::harmonics;
 use super::sorted::{BLUR, Hit, MAX_ALPHA, Placed, SortedView, blend};
 use organza_core::camera::Camera;
 
 /// Derivatives of a loss with respect to a Gaussian in an image.
 #[derive(Clone, Copy, Debug, Default)]
 struct Slope {
-    color: [f32; 3],
+    color: Vec3,
     /// Derivative by the opacity, not by its logit.
     opacity: f32,
     mean: Vec2,
     conic: Vec3,
 }
 
-impl Slope {
-    fn add(&mut self, other: &Self) {
-        for (sum, value) in self.color.iter_mut().zip(other.color) {
-            *sum += value;
-        }
+impl AddAssign for Slope {
+    fn add_assign(&mut self, other: Self) {
+        self.color += other.color;
         self.opacity += other.opacity;
         self.mean += other.mean;
         self.conic += other.conic;
@@ -41,33 +41,22 @@ pub(super) fn gradient(
     truth: &[[f32; 3]],
 ) -> Vec<(u32, Splat)> {
     let view = SortedView::new(splats, camera);
+    let background = Vec3::from(background);
     let scale = 2.0 / (3 * view.pixels()) as f32;
-    let tiles: Vec<_> = (0..view.tiles.len())
-        .into_par_iter()
-        .map(|tile| {
-            let (intersections, pixels) = view.tile(tile);
-            let mut slopes = vec![Slope::default(); intersections.len()];
-            let mut hits = Vec::new();
-            for (x, y, at) in pixels {
-                let color = blend(&intersections, x, y, background, &mut hits);
-                let by_color = std::array::from_fn(|i| scale * (color[i] - truth[at][i]));
-                blend_backward(&intersections, &hits, by_color, background, &mut slopes);
-            }
-            slopes
-        })
-        .collect();
-    // tile after tile, so that sums have a fixed order
-    let mut sums = vec![Slope::default(); view.placed.len()];
-    for (slopes, intersections) in tiles.iter().zip(&view.tiles) {
-        for (slope, &index) in slopes.iter().zip(intersections) {
-            sums[index as usize].add(slope);
+    let sums = view.sums(|intersections, pixels, slopes: &mut [Slope]| {
+        let mut hits = Vec::new();
+        for (x, y, at) in pixels {
+            let color = blend(intersections, x, y, background, &mut hits);
+            let by_color = scale * (color - Vec3::from(truth[at]));
+            blend_backward(intersections, &hits, by_color, background, slopes);
         }
-    }
-    let backward = |(placed, slope): (&Placed, &Slope)| {
-        let splat = &splats[placed.gaussian as usize];
-        (placed.gaussian, placed_backward(&view.camera, splat, placed, slope))
+    });
+    let backward = |placed: &Placed| {
+        let gaussian = placed.gaussian as usize;
+        let slope = placed_backward(&view.camera, &splats[gaussian], placed, &sums[gaussian]);
+        (placed.gaussian, slope)
     };
-    view.placed.par_iter().zip(&sums).map(backward).collect()
+    view.placed.par_iter().map(backward).collect()
 }
 
 /// The derivative of [`blend`]: adds a pixel's part to the derivatives of its Gaussians. `by_color` is the derivative
@@ -75,22 +64,19 @@ pub(super) fn gradient(
 fn blend_backward(
     intersections: &[Placed],
     hits: &[Hit],
-    by_color: [f32; 3],
-    background: [f32; 3],
+    by_color: Vec3,
+    background: Vec3,
     slopes: &mut [Slope],
 ) {
-    let dot = |a: [f32; 3]| a.iter().zip(by_color).map(|(a, by)| a * by).sum::<f32>();
     let Some(last) = hits.last() else { return };
     // contribution of everything behind to the loss's derivative, from the last Gaussian to the first
-    let mut behind = last.light * (1.0 - last.alpha.min(MAX_ALPHA)) * dot(background);
+    let mut behind = last.light * (1.0 - last.alpha.min(MAX_ALPHA)) * by_color.dot(background);
     for hit in hits.iter().rev() {
         let placed = &intersections[hit.intersection];
         let slope = &mut slopes[hit.intersection];
         let alpha = hit.alpha.min(MAX_ALPHA);
-        let shade = dot(placed.color);
-        for (sum, by) in slope.color.iter_mut().zip(by_color) {
-            *sum += by * hit.light * alpha;
-        }
+        let shade = by_color.dot(placed.color);
+        slope.color += hit.light * alpha * by_color;
         let by_alpha = hit.light * shade - behind / (1.0 - alpha);
         behind += hit.light * alpha * shade;
         if hit.alpha < MAX_ALPHA {
@@ -121,11 +107,9 @@ fn placed_backward(camera: &KernelCamera, splat: &Splat, placed: &Placed, slope:
     );
     let basis = harmonics(camera.eye, splat.position);
     // a channel that is clamped to 0 has a derivative only if it should be brighter
-    let by_channel: [f32; 3] = std::array::from_fn(|channel| {
-        let is_held = placed.color[channel] <= 0.0 && slope.color[channel] > 0.0;
-        if is_held { 0.0 } else { slope.color[channel] }
-    });
-    let color: [[f32; 3]; HARMONICS] = basis.map(|basis| by_channel.map(|by| by * basis));
+    let is_held = placed.color.cmple(Vec3::ZERO) & slope.color.cmpgt(Vec3::ZERO);
+    let by_channel = Vec3::select(is_held, Vec3::ZERO, slope.color);
+    let color = basis.map(|basis| (by_channel * basis).to_array());
     Splat {
         position: geometry.position.into(),
         rotation: geometry.rotation.into(),

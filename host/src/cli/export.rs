@@ -48,8 +48,8 @@ pub struct Args {
     /// one color for all directions
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Steps in which a view is compared and the Gaussians are corrected; 0 only fits colors to the networks, in seconds, and
-    /// can lose 10 decibels. A run's folder keeps the result, so that a second export takes only what its format needs
+    /// Steps in which a view is compared and the Gaussians are corrected; 0 only takes what the scene says of each Gaussian, in
+    /// seconds, and can lose 10 decibels. A run's folder keeps the result, so that a second export takes only what its format needs
     #[arg(long, value_name = "N", default_value_t = Fit::default().steps)]
     #[arg(value_parser = clap::value_parser!(u32).range(Fit::STEPS))]
     steps: u32,
@@ -138,11 +138,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 /// Says what the fit will take, or what is lost without it.
 fn announce(fit: Fit, console: Console) {
     console.note(&match fit.steps {
-        0 => "`--steps 0` fits the colors alone, and does not correct visibility for viewers that sort: the file can lose 10 decibels"
+        0 => "`--steps 0` compares no images, and only takes what the scene says of each Gaussian: the file can lose 10 decibels"
             .to_owned(),
         steps => format!(
-            "fitting the Gaussians to the scene's own images in {}, which takes minutes on a CPU; `--steps 0` only fits \
-             the colors, in seconds, and can lose 10 decibels",
+            "fitting the Gaussians to the scene's own images in {}, which takes a minute on a CPU; `--steps 0` only takes \
+             what the scene says of each, in seconds, and can lose 10 decibels",
             count(u64::from(steps), "step")
         ),
     });
@@ -173,15 +173,14 @@ fn load_views(
     let settings = args.data.settings(source, named, USAGE)?;
     let data = DataSet::of(source, named, settings, console)?;
     let (judges, fitted): (Vec<_>, _) = data.cameras()?.into_iter().partition(|pose| pose.held_out);
-    let cameras = |poses: Vec<Pose>| poses.into_iter().map(|pose| pose.camera).collect::<Vec<_>>();
-    let [fitted, judges] = [fitted, judges].map(cameras);
     let has_held_out = !judges.is_empty();
     let (fitted, judges) = match args.data.split(Split::All) {
-        Split::All if fitted.is_empty() => (judges, fitted),
-        Split::All => (fitted, judges),
+        Split::All if !fitted.is_empty() => (fitted, judges),
         Split::Train => (fitted, Vec::new()),
-        Split::HeldOut => (judges, Vec::new()),
+        _ => (judges, Vec::new()),
     };
+    let cameras = |poses: Vec<Pose>| poses.into_iter().map(|pose| pose.camera).collect::<Vec<_>>();
+    let [fitted, judges] = [fitted, judges].map(cameras);
     // only the photographs that the file is compared with are needed
     let data = data.only(Split::HeldOut)?;
     let data = has_held_out.then(|| data.read(renderer, console)).transpose()?;

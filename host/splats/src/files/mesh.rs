@@ -71,12 +71,8 @@ pub fn save_mesh(
 
 fn write_ply(mesh: &Mesh, places: &[[f32; 3]], file: &mut dyn Write) -> io::Result<()> {
     writeln!(file, "ply\nformat binary_little_endian 1.0\nelement vertex {}", places.len())?;
-    for axis in ["x", "y", "z"] {
-        writeln!(file, "property float {axis}")?;
-    }
-    for channel in ["red", "green", "blue"] {
-        writeln!(file, "property uchar {channel}")?;
-    }
+    writeln!(file, "property float x\nproperty float y\nproperty float z")?;
+    writeln!(file, "property uchar red\nproperty uchar green\nproperty uchar blue")?;
     writeln!(file, "element face {}", mesh.face.len())?;
     writeln!(file, "property list uchar uint vertex_indices\nend_header")?;
     for (place, color) in places.iter().zip(&mesh.color) {

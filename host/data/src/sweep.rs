@@ -33,7 +33,7 @@ const NOISE: f32 = 0.01;
 /// Two draws of a depth that are farther apart, in depths, say that a ray matches in several places.
 const APART: f64 = 2.5;
 /// Number of rays tried per point: some match nowhere or everywhere, and much of an object's photograph may be empty.
-const TRIES: u32 = 20;
+const TRIES: u32 = 40;
 /// Opacity from which a pixel shows the scene, and not the background.
 const SOLID: f32 = 0.5;
 

@@ -72,6 +72,7 @@ impl Parity for CoreFunctions {
             90 if u & 0x7fff <= 0x7c00 => bits(half(u & 0xffff)),
             91 => bits(x.ceil()),
             92 => u32::from(x.is_finite()),
+            93 => u32::from(x == f64::NEG_INFINITY),
             99 => checked(i + j),
             100 => checked(i - j),
             108 => is_beyond(i + j),

@@ -38,7 +38,7 @@ def export(
     path: str | os.PathLike[str],
     cameras: Cameras | Dataset | None = None,
     *,
-    steps: int = 200,
+    steps: int = 300,
     side: int = 480,
     spz_version: int = 4,
     renderer: Renderer | None = None,

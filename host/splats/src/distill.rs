@@ -59,10 +59,10 @@ impl Fit {
     pub const SIDES: RangeInclusive<i64> = 16..=4096;
 }
 
-/// 200 steps, with views of 480 pixels.
+/// 300 steps, with views of 480 pixels.
 impl Default for Fit {
     fn default() -> Self {
-        Self { steps: 200, side: 480 }
+        Self { steps: 300, side: 480 }
     }
 }
 

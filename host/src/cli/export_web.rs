@@ -86,7 +86,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     };
     let renderer = args.device.open(console)?;
     let options = args.options(args.title.clone().unwrap_or_else(|| page_title(&shown.source)));
-    let page = make(&shown, &args.scene_args(), &cameras, &renderer, &options, console)?;
+    let page = make(&shown, !args.full_grids, &cameras, &renderer, &options, console)?;
     let (file, bytes) = match &folder {
         None => {
             let text = page.single_file();
@@ -109,10 +109,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 impl Args {
     fn options(&self, title: String) -> PageOptions {
         PageOptions { title, size: self.size }
-    }
-
-    fn scene_args(&self) -> SceneArgs {
-        SceneArgs { half_grids: !self.full_grids }
     }
 }
 
@@ -148,7 +144,7 @@ fn write_gallery(args: &Args, console: Console) -> Result<()> {
     for ((shown, card), folder) in all.iter().zip(&cards).zip(&folders) {
         let cameras = cameras(shown, &args.data, USAGE, console)?;
         let options = args.options(card.title.clone());
-        let page = make(shown, &args.scene_args(), &cameras, &renderer, &options, console)?;
+        let page = make(shown, !args.full_grids, &cameras, &renderer, &options, console)?;
         write_page(&page, folder)?;
     }
     let title = args.title.as_deref().unwrap_or("Scenes");
@@ -181,14 +177,15 @@ fn write_page(page: &WebPage, folder: &Folder) -> Result<usize> {
 /// Makes a page, and reports its contents.
 pub fn make(
     shown: &Shown,
-    scene_args: &SceneArgs,
+    half_grids: bool,
     cameras: &[Camera],
     renderer: &Renderer,
     options: &PageOptions,
     console: Console,
 ) -> Result<WebPage> {
     let scene = shown.source.load(console)?;
-    let upload = |renderer: &Renderer| shown.upload(&scene, scene_args, renderer, console);
+    let args = SceneArgs { half_grids };
+    let upload = |renderer: &Renderer| shown.upload(&scene, &args, renderer, console);
     let page = console.during("measuring what images need", || {
         WebPage::new(&scene, &upload, cameras, renderer, options)
     })?;

@@ -160,9 +160,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         }
     };
     at_signals(handler)?;
-    let frame_renderer = FrameRenderer::new(Arc::clone(&queue), photographs);
     let places = Places::new(&uploaded, shown.places());
-    let mut frame_renderer = frame_renderer.with_editor(editor).with_places(places);
+    let mut frame_renderer =
+        FrameRenderer::new(Arc::clone(&queue), photographs).with(editor, places);
     let url = server.url();
     let films = server.start(Arc::clone(&queue), about, None)?;
     args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
@@ -181,7 +181,8 @@ fn serve_client(args: &Args, shown: &Shown, console: Console) -> Result<()> {
     let server = args.server.listen(console)?;
     let renderer = args.device.open(console)?;
     let options = PageOptions { title: export_web::page_title(&shown.source), size: CLIENT_SIZE };
-    let page = export_web::make(shown, &args.scene_args, &cameras, &renderer, &options, console)?;
+    let half_grids = args.scene_args.half_grids;
+    let page = export_web::make(shown, half_grids, &cameras, &renderer, &options, console)?;
     let (stop, stopped) = channel();
     let handler = move || {
         // fails if the server has already ended

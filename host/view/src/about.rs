@@ -7,7 +7,6 @@ use serde_json::json;
 use super::home::home;
 use super::message::Mode;
 use crate::film::FilmKind;
-use muslin_device::Buffer;
 use organza_core::camera::{Camera, Orbit, upward};
 use organza_core::demo;
 use organza_core::scene::{Placement, bounds};
@@ -52,8 +51,9 @@ impl About {
     ) -> Self {
         let config = scene.config();
         let gaussians = &scene.tensors().gaussians;
-        let [position, opacity] =
-            [&gaussians.position, &gaussians.opacity].map(|values| read(scene, values));
+        // nothing, if the device fails
+        let read = |values| scene.device().read(values).unwrap_or_default();
+        let [position, opacity] = [&gaussians.position, &gaussians.opacity].map(read);
         let cameras: Vec<_> = poses.iter().map(|pose| pose.camera.clone()).collect();
         let home = home(&cameras, position.as_chunks().0, &opacity);
         // data sets have views of their own to begin with
@@ -108,21 +108,16 @@ impl About {
     }
 }
 
-/// A tensor's values; nothing, if the device fails.
-fn read(scene: &DeviceScene, values: &Buffer<f32>) -> Vec<f32> {
-    scene.device().read(values).unwrap_or_default()
-}
-
 /// The box of nearly all of a scene's opacity, in its own coordinates.
 pub fn visible_box(scene: &DeviceScene) -> [[f64; 3]; 2] {
     let gaussians = &scene.tensors().gaussians;
-    let [position, log_scale, opacity] =
-        [&gaussians.position, &gaussians.log_scale, &gaussians.opacity]
-            .map(|values| read(scene, values));
-    match opacity.is_empty() {
-        true => scene.config().aabb,
-        false => bounds(position.as_chunks().0, log_scale.as_chunks().0, &opacity),
+    let read = |values| scene.device().read(values).unwrap_or_default();
+    let opacity = read(&gaussians.opacity);
+    if opacity.is_empty() {
+        return scene.config().aabb;
     }
+    let [position, log_scale] = [&gaussians.position, &gaussians.log_scale].map(read);
+    bounds(position.as_chunks().0, log_scale.as_chunks().0, &opacity)
 }
 
 /// A camera that sees the whole box.

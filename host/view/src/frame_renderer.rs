@@ -49,16 +49,10 @@ impl FrameRenderer {
         Self { queue, photographs, eyes: Vec::new(), editor: None, places: Places::default() }
     }
 
-    /// Pages may change what is shown with this editor of the same scene.
+    /// Pages may change what is shown: with an editor of the same scene, or by the places of others.
     #[must_use]
-    pub fn with_editor(self, editor: Option<Editor>) -> Self {
-        Self { editor, ..self }
-    }
-
-    /// Pages may move these scenes, which are shown with the first one.
-    #[must_use]
-    pub fn with_places(self, places: Places) -> Self {
-        Self { places, ..self }
+    pub fn with(self, editor: Option<Editor>, places: Places) -> Self {
+        Self { editor, places, ..self }
     }
 
     /// Answers one request, waiting for it for up to `patience`. Returns whether there was one.
@@ -163,30 +157,22 @@ impl FrameRenderer {
     }
 
     fn answer(&mut self, stage: Stage<'_>, question: &Question) -> Result<Payload> {
-        match question {
+        let bytes = match question {
             Question::Photograph(view) => {
                 let photograph = self.photographs.get(stage.renderer, *view)?;
                 let size = [photograph.width(), photograph.height()];
                 let image = Image::from_pixels(size, photograph.pixels());
                 let bytes = picture::encode_jpeg(&image)?;
-                Ok(rendered_as("image/jpeg", bytes, &json!({ "size": size })))
+                return Ok(rendered_as("image/jpeg", bytes, &json!({ "size": size })));
             }
-            Question::Pixel(pixel, camera) => {
-                let bytes = explain(stage.renderer, stage.scene, camera, *pixel)?;
-                Ok(rendered_as("application/json", bytes, &json!({})))
-            }
-            Question::Edit(request) => {
-                let Some(editor) = &mut self.editor else {
-                    return refuse("the scene is not edited: begin with `--edit FILE`");
-                };
-                let bytes = editor.answer(stage, request)?;
-                Ok(rendered_as("application/json", bytes, &json!({})))
-            }
-            Question::Place(request) => {
-                let bytes = self.places.answer(stage, *request)?;
-                Ok(rendered_as("application/json", bytes, &json!({})))
-            }
-        }
+            Question::Pixel(pixel, camera) => explain(stage.renderer, stage.scene, camera, *pixel)?,
+            Question::Edit(request) => match &mut self.editor {
+                Some(editor) => editor.answer(stage, request)?,
+                None => return refuse("the scene is not edited: begin with `--edit FILE`"),
+            },
+            Question::Place(request) => self.places.answer(stage, *request)?,
+        };
+        Ok(rendered_as("application/json", bytes, &json!({})))
     }
 }
 

@@ -18,6 +18,8 @@ const REST: &str = "document.documentElement.dataset.quality === 'exact' && !org
 const SHOWN: &str = "new Promise((done) => { const reader = new FileReader(); reader.onload = () => \
     done(reader.result.split(',')[1]); reader.readAsDataURL(organza.view.shown.blob); })";
 
+/// The only scene.
+const ALONE: &str = "scene.safetensors";
 /// Whether the page says that the view is far from all photographs.
 const FAR: &str = "!document.getElementById('far').hidden";
 
@@ -42,13 +44,8 @@ fn handle_of(page: &mut Page, tool: &str, index: usize) -> [f64; 2] {
     serde_json::from_value(place).expect("a place")
 }
 
-/// The output of `render` for the camera of the page.
-fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value) -> RgbImage {
-    rendered_of(sandbox, viewer, camera, "scene.safetensors")
-}
-
-/// The same of these scenes.
-fn rendered_of(sandbox: &Sandbox, viewer: &Viewer, camera: &Value, scenes: &str) -> RgbImage {
+/// The output of `render` for these scenes and the camera of the page.
+fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value, scenes: &str) -> RgbImage {
     let file = viewer.post("/cameras.json", &json!([camera])).ok();
     sandbox.write("shown.json", file.body);
     sandbox.run(&format!("render {scenes} shown.json -o shown --backend cpu")).assert_ok();
@@ -71,7 +68,7 @@ fn a_scene_in_a_browser() {
     let camera = |page: &mut Page| page.eval("organza.view.camera");
     let before = shown(&mut page);
     let first = camera(&mut page);
-    assert!(before == rendered(&sandbox, &viewer, &first), "at rest");
+    assert!(before == rendered(&sandbox, &viewer, &first, ALONE), "at rest");
 
     // dragging moves the camera around its target
     let [x, y] = middle(&mut page);
@@ -81,7 +78,7 @@ fn a_scene_in_a_browser() {
     let moved = camera(&mut page);
     assert!(moved["camera_to_world"] != first["camera_to_world"] && after != before);
     assert_eq!(moved["fl_x"], first["fl_x"]);
-    assert!(after == rendered(&sandbox, &viewer, &moved), "after a drag");
+    assert!(after == rendered(&sandbox, &viewer, &moved, ALONE), "after a drag");
     let far = |page: &mut Page| {
         page.eval(
             "organza.view.camera.camera_to_world.slice(0, 3).reduce(\
@@ -96,7 +93,7 @@ fn a_scene_in_a_browser() {
     })[0];
     assert!(near < 0.95 * farther, "{near} {farther}");
     let closer = camera(&mut page);
-    assert!(shown(&mut page) == rendered(&sandbox, &viewer, &closer), "after the wheel");
+    assert!(shown(&mut page) == rendered(&sandbox, &viewer, &closer, ALONE), "after the wheel");
 
     // a click explains the pixel
     page.click([x, y]);
@@ -178,7 +175,10 @@ fn a_scene_in_a_browser() {
     let view = viewer.scene()["views"][index]["camera"].clone();
     // JavaScript writes 0 where Rust writes 0.0
     assert_eq!(camera(&mut page), page.eval(&format!("({view})")));
-    assert!(shown(&mut page) == rendered(&sandbox, &viewer, &view), "a camera of the data set");
+    assert!(
+        shown(&mut page) == rendered(&sandbox, &viewer, &view, ALONE),
+        "a camera of the data set"
+    );
 
     // the page has begun at a photograph; far from all it says so, and a key goes to the nearest
     let scene = viewer.scene();
@@ -277,7 +277,7 @@ fn a_scene_is_moved_in_a_browser() {
     let shown = |page: &mut Page| pixels(&base64(page.eval(SHOWN).as_str().expect("bytes")));
     let moved = shown(&mut page);
     sandbox.write("b.json", said(&mut page).as_str().expect("text"));
-    assert!(moved == rendered_of(&sandbox, &viewer, &pose, both), "another place was saved");
+    assert!(moved == rendered(&sandbox, &viewer, &pose, both), "another place was saved");
 
     // a turn is composed as in the program
     let up = DVec3::Z;
@@ -447,7 +447,7 @@ fn a_scene_is_edited_in_a_browser() {
     assert!((meters * expected / 0.25 - 1.0).abs() < 1e-6, "{meters}");
     sandbox.rename("cut.safetensors", "scene.safetensors");
     assert!(
-        painted == rendered(&sandbox, &viewer, &camera),
+        painted == rendered(&sandbox, &viewer, &camera, ALONE),
         "what was saved is not what was shown"
     );
     assert!(page.errors.is_empty(), "{:?}", page.errors);

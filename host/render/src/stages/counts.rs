@@ -32,6 +32,16 @@ impl Capacity {
         (counts[OVERFLOW as usize] == 0).then_some(Self { pairs, intersections, samples })
     }
 
+    /// The room for each number, by its slot.
+    pub fn slots(self) -> [u32; COUNTS as usize] {
+        let Self { pairs, intersections, samples } = self;
+        let mut slots = [0; COUNTS as usize];
+        for (slot, number) in [(PAIRS, pairs), (INTERSECTIONS, intersections), (SAMPLES, samples)] {
+            slots[slot as usize] = number;
+        }
+        slots
+    }
+
     /// Room for both.
     pub(crate) fn plus(self, other: Self) -> Self {
         Self {
@@ -73,13 +83,8 @@ impl PartCounts {
 
     /// The place of a number in `counts`, and the room for it.
     fn place(&self, slot: u32) -> (u32, u32) {
-        let Capacity { pairs, intersections, samples } = self.capacities[self.index];
-        let room = match slot {
-            PAIRS => pairs,
-            INTERSECTIONS => intersections,
-            _ => samples,
-        };
-        (self.index as u32 * COUNTS + slot, room)
+        let room = self.capacities[self.index].slots();
+        (self.index as u32 * COUNTS + slot, room[slot as usize])
     }
 
     /// Records the total at the end of exclusive sums as the number at a slot.

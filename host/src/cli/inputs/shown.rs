@@ -23,16 +23,8 @@ pub struct Shown {
     pub source: SceneSource,
     /// What the user named as cameras or as a data set.
     pub cameras: Option<PathBuf>,
-    beside: Vec<Beside>,
-}
-
-/// Another scene.
-struct Beside {
-    source: SceneSource,
-    /// As the user named it.
-    place: Place,
-    /// The same in the first scene's coordinates.
-    placement: Placement,
+    /// The others, and their places: as the user has named them, and in the first scene's coordinates.
+    beside: Vec<(SceneSource, Place, Placement)>,
 }
 
 /// A file that lists scenes.
@@ -82,7 +74,7 @@ impl Shown {
             let source = SceneSource::find(&path)?;
             let placement = own.place(&source.placement(), &place);
             let placement = placement.map_err(|error| error.in_file(&origin))?;
-            Ok(Beside { source, place, placement })
+            Ok((source, place, placement))
         });
         let beside = beside.collect::<Result<_>>()?;
         Ok(Self { source, cameras, beside })
@@ -105,7 +97,7 @@ impl Shown {
         console: Console,
     ) -> Result<DeviceScene> {
         let mut scene = args.upload(renderer, first)?;
-        for Beside { source, placement, .. } in &self.beside {
+        for (source, _, placement) in &self.beside {
             scene.put(args.upload(renderer, &source.load(console)?)?, *placement)?;
         }
         Ok(scene)
@@ -113,12 +105,12 @@ impl Shown {
 
     /// Identifies the other scenes and their places.
     pub fn others(&self) -> Result<Vec<String>> {
-        self.beside.iter().map(|one| made_of(one.source.file(), &one.placement)).collect()
+        self.beside.iter().map(|(source, _, place)| made_of(source.file(), place)).collect()
     }
 
     /// Names of the other scenes, and their places.
     pub fn places(&self) -> Vec<(String, Place)> {
-        self.beside.iter().map(|one| (title(one.source.named()), one.place)).collect()
+        self.beside.iter().map(|(source, place, _)| (title(source.named()), *place)).collect()
     }
 }
 

@@ -394,18 +394,13 @@ fn replayed(shape: &FrameShape, frame: &Frame, scene_buffers: u32) -> Value {
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(buffer.contents.as_deref()?);
         Some((number(at), words))
     });
-    // as `organza_shaders::count` numbers them
-    let room = |capacity: &Capacity| {
-        let Capacity { pairs, intersections, samples } = *capacity;
-        [pairs, intersections, samples, 0, 0]
-    };
     let cameras = frame.cameras.iter().map(|(at, place)| json!([number(*at), place]));
     json!({
         "tiles": shape.tiles,
         "side": shape.side,
         "steps": shape.steps,
-        // the room for each count after the first one, the flag for an overflow
-        "capacity": shape.capacities.iter().flat_map(room).collect::<Vec<_>>(),
+        // the room for each of the counts
+        "capacity": shape.capacities.iter().flat_map(|room| room.slots()).collect::<Vec<_>>(),
         // lengths of the plan's own buffers, in bytes; they are numbered after the scene's buffers
         "buffers": plan.buffers.iter().map(|buffer| buffer.bytes).collect::<Vec<_>>(),
         // buffers with initial content, as words

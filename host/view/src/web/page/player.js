@@ -2,7 +2,6 @@
 
 import { column, cross, dot, scale, sub } from "./camera.js";
 
-const COUNTS = 5; // for each scene, and for its light in each other one
 const SLOT = 256; // bytes of the uniform buffer for each dispatch
 
 // What the page's script carries: its header, and the words of the scene's buffers.
@@ -140,10 +139,12 @@ export class Frame {
     encoder.copyBufferToBuffer(this.counts, 0, this.staging, 0, this.staging.size);
     device.queue.submit([encoder.finish()]);
     await this.staging.mapAsync(GPUMapMode.READ);
-    const [overflow, ...needed] = new Uint32Array(this.staging.getMappedRange());
+    const needed = [...new Uint32Array(this.staging.getMappedRange())];
     this.staging.unmap();
-    const sum = (kind) => needed.filter((_, at) => at % COUNTS === kind).reduce((one, other) => one + other);
-    return { overflow, needed, counts: [0, 1, 2].map(sum) };
+    // of each scene, and of its light in each other one
+    const slots = needed.length / this.cameras.length;
+    const [overflow, ...counts] = [0, 1, 2, 3].map((slot) => needed.filter((_, at) => at % slots === slot).reduce((one, other) => one + other));
+    return { overflow, needed, counts };
   }
 
   get bytes() {

@@ -91,9 +91,20 @@ fn decoding_has_a_budget() {
     let size = [6000, 4000];
     let photograph = image::GrayImage::new(size[0], size[1]);
     photograph.save(sandbox.path("data/images/0000.png")).unwrap();
-    sandbox.copy_file("data/images/0000.png", "data/images/0001.png");
     let file = sandbox.read("data/images/0000.png");
     replace_photograph(&sandbox, &file, size);
+    // so many that two are decoded at the same time, also where processors are busy
+    let frame = sandbox.read_json("data/transforms.json")["frames"][0].clone();
+    let frames: Vec<_> = (0..8)
+        .map(|index| {
+            let name = format!("images/{index:04}.png");
+            sandbox.write(&format!("data/{name}"), &file);
+            let mut frame = frame.clone();
+            frame["file_path"] = json!(name);
+            frame
+        })
+        .collect();
+    sandbox.edit_json("data/transforms.json", "/frames", json!(frames));
     let train = format!("{TRAIN} --downscale 50 --hold-out-every 0");
     sandbox.shell(&format!("ulimit -v 500000; \"$ORGANZA\" {train}")).assert_refused(&[
         "out of memory",

@@ -151,9 +151,9 @@ fn photographs_tell_the_axes_of_a_file() {
     save("right.spz", &file);
     let half = DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0));
     save("turned.spz", &file.clone().turned(half));
-    let mut small = file.clone();
-    small.splats.iter_mut().for_each(|splat| splat.position = splat.position.map(|x| 0.2 * x));
-    save("small.spz", &small);
+    let mut large = file.clone();
+    large.splats.iter_mut().for_each(|splat| splat.position = splat.position.map(|x| 2.0 * x));
+    save("large.spz", &large);
     let words = "train views --config tiny.toml --backend cpu --steps 1 --max-gaussians 4000";
     let scene = |name: &str, fact: Option<&str>| {
         let outcome = sandbox.run(&format!("{words} --start {name}.spz -o {name}")).assert_ok();
@@ -167,7 +167,7 @@ fn photographs_tell_the_axes_of_a_file() {
         // but for a step of training
         assert!((0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-2), "{a:?} {b:?}");
     }
-    scene("small", Some("show something else where its Gaussians are"));
+    scene("large", Some("show something else where its Gaussians are"));
     let words = "import turned.spz views -o back.safetensors --steps 1 --side 16 --backend cpu";
     sandbox.run(words).assert_ok().says(&["become x, -y, -z"]);
 }

@@ -190,6 +190,11 @@ pub fn argument<T>(reason: impl Into<String>) -> Result<T> {
     Err(Error::Argument { reason: reason.into() })
 }
 
+/// The error of a configuration field that is out of range.
+pub(crate) fn bad_config<T>(field: impl Into<String>, reason: String) -> Result<T> {
+    Err(Error::BadConfig { origin: IN_MEMORY.into(), field: field.into(), reason })
+}
+
 impl Error {
     /// Whether the host or the device ran out of memory.
     pub fn is_out_of_memory(&self) -> bool {

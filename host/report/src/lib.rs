@@ -8,13 +8,15 @@ mod charts;
 mod comparison;
 mod page;
 mod pictures;
+mod reporter;
 mod run;
 mod single;
 #[cfg(test)]
 mod tests;
 
 pub use comparison::{Difference, differences, write_comparison};
-pub use run::{Reporter, Run, Summary};
+pub use reporter::Reporter;
+pub use run::{Run, Summary};
 pub use single::write_report;
 
 /// uPlot, which draws the curves of every page.

@@ -1,15 +1,14 @@
-//! A run as read from its folder, and the listener that writes its pictures and its report.
+//! A run as read from its folder.
 
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
 use super::pictures::Pictures;
-use super::single::write_report;
 use organza_core::error::Result;
 use organza_train::evaluate::ViewScore;
 use organza_train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
-use organza_train::{CONFIG, Change, Event, METRICS, REPORT, RunFolder, TrainConfig};
+use organza_train::{CONFIG, Change, METRICS, TrainConfig};
 
 /// The files of a run that pages are made from: settings, log and pictures.
 #[derive(Debug)]
@@ -181,67 +180,4 @@ pub(super) struct Evaluation<'a> {
 fn name_of(path: &Path) -> String {
     let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
-}
-
-/// Keeps what there is to see of a run in its folder: `report.html` with its pictures. It makes them of the
-/// [events](Event) of a [`Session`](organza_train::Session).
-///
-/// ```
-/// use std::sync::Arc;
-///
-/// use muslin_device::DeviceOptions;
-/// use organza_render::Renderer;
-/// use organza_report::Reporter;
-/// use organza_train::{Outcome, RunFolder, Session, TrainConfig, built_in};
-///
-/// let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(None))?);
-/// let dataset = Arc::new(built_in::dataset(&renderer, 4, 32, 2)?);
-/// let mut config = TrainConfig::default();
-/// (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (2, 2, 16);
-/// config.start.gaussians = 100;
-///
-/// let path = tempfile::tempdir().expect("a folder");
-/// let folder = RunFolder::lock(path.path(), false)?;
-/// let session = Session::new(&renderer, &config, &dataset, &folder);
-/// let mut reporter = Reporter::new(&folder);
-/// let outcome = session.run(false, &mut |event| reporter.see(&event))?;
-/// assert_eq!(outcome, Outcome::Finished);
-/// assert!(path.path().join("report.html").exists());
-/// # Ok::<(), organza_core::Error>(())
-/// ```
-#[derive(Debug)]
-pub struct Reporter {
-    folder: PathBuf,
-    pictures: Pictures,
-    /// Steps so far at the last view.
-    step: u64,
-}
-
-impl Reporter {
-    /// A listener to the run in a folder.
-    pub fn new(folder: &RunFolder) -> Self {
-        let folder = folder.path().to_owned();
-        Self { pictures: Pictures::from_run(&folder), folder, step: 0 }
-    }
-
-    /// Writes what belongs to an event.
-    ///
-    /// # Errors
-    /// [`Error::WriteFile`](organza_core::Error::WriteFile); after the log is complete, errors of [`Run::load`], too.
-    pub fn see(&mut self, event: &Event<'_>) -> Result<()> {
-        match event {
-            Event::Opened { step, .. } => self.pictures.begin(*step),
-            Event::FirstView(image) => self.pictures.write_first(image),
-            Event::View { index, step, frame, image } => {
-                self.step = *step;
-                self.pictures.write(*index, *step, &frame.image, image)
-            }
-            Event::Evaluated(_) => {
-                self.pictures.keep(self.step);
-                Ok(())
-            }
-            Event::Complete => write_report(self.folder.join(REPORT), &Run::load(&self.folder)?),
-            _ => Ok(()),
-        }
-    }
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::grid::GridConfig;
 use super::placement::Placement;
-use crate::error::{Error, IN_MEMORY, Result};
+use crate::error::{Error, Result, bad_config};
 
 /// Largest number of hidden layers in a network.
 pub const MAX_HIDDEN_LAYERS: usize = 4;
@@ -257,11 +257,6 @@ impl MlpConfig {
             None => Ok(()),
         }
     }
-}
-
-/// The error of a field that is out of range.
-pub(super) fn bad_config<T>(field: impl Into<String>, reason: String) -> Result<T> {
-    Err(Error::BadConfig { origin: IN_MEMORY.into(), field: field.into(), reason })
 }
 
 /// Whether the kernels, which compute in f32, can represent a number.

@@ -7,7 +7,7 @@ use std::path::Path;
 use super::Scene;
 use super::config::SceneConfig;
 use super::tensor_file::{Header, tensors_to_bytes, write_tensors};
-use super::tensors::TensorSpec;
+use super::tensor_spec::TensorSpec;
 use super::validate::{check_sizes, no_gaussians};
 use crate::error::{Error, Result};
 use crate::input::open_regular;

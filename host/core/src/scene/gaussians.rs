@@ -1,7 +1,7 @@
 //! The table of per-Gaussian tensors, and everything generated from it.
 
 use super::config::SceneConfig;
-use super::tensors::TensorSpec;
+use super::tensor_spec::TensorSpec;
 use crate::error::Result;
 use muslin_error::memory;
 

@@ -5,8 +5,7 @@ use organza_shaders::limits::MAX_FEATURES;
 pub use organza_shaders::limits::MAX_LEVELS;
 use serde::{Deserialize, Serialize};
 
-use super::config::bad_config;
-use crate::error::Result;
+use crate::error::{Result, bad_config};
 
 /// Finest resolution of a level: beyond it, an f32 position has no useful fraction left.
 pub const MAX_RESOLUTION: u32 = 1 << 20;

@@ -8,6 +8,7 @@ mod grid;
 mod network;
 mod placement;
 mod tensor_file;
+mod tensor_spec;
 mod tensors;
 mod validate;
 
@@ -30,7 +31,8 @@ pub use tensor_file::{
     Tensor, read_metadata, read_tensor, read_tensors, read_tensors_from, tensors_to_bytes,
     write_tensors,
 };
-pub use tensors::{FieldTensors, TensorSpec, Tensors};
+pub use tensor_spec::TensorSpec;
+pub use tensors::{FieldTensors, Tensors};
 
 use std::path::Path;
 

@@ -6,9 +6,8 @@ use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::config::bad_config;
 use crate::camera::{Camera, Target, median, upward};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, bad_config};
 
 /// Distance of the cameras from what they look at, in units of the scene. The near plane at 0.01 is then close to them.
 const DISTANCE: f64 = 4.0;

@@ -7,7 +7,7 @@ use std::path::Path;
 use safetensors::tensor::{Dtype, Metadata, TensorInfo};
 use serde_json::{Map, Value, json};
 
-use super::tensors::TensorSpec;
+use super::tensor_spec::TensorSpec;
 use crate::error::{argument, invalid};
 use crate::input::open_regular;
 use crate::{Error, Result, write_atomic};

@@ -5,6 +5,7 @@ use std::convert::Infallible;
 use super::config::SceneConfig;
 use super::gaussians::GaussianTensors;
 use super::grid::GridConfig;
+use super::tensor_spec::TensorSpec;
 
 /// One `T` for each tensor of a scene. All layers of a network are one tensor, as on a device.
 ///
@@ -109,27 +110,6 @@ impl<T> FieldTensors<T> {
     /// Pairs each value with the other's value for the same tensor.
     pub fn zip<U>(self, other: FieldTensors<U>) -> FieldTensors<(T, U)> {
         FieldTensors { grid: (self.grid, other.grid), network: (self.network, other.network) }
-    }
-}
-
-/// Kernels address values with 32 bits, and one bit is kept free.
-pub(super) const MAX_VALUES: usize = 1 << 31;
-
-/// The declaration of one tensor in a scene file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TensorSpec {
-    /// Name in the file.
-    pub name: String,
-    /// Shape, row-major.
-    pub shape: Vec<usize>,
-    /// The reason for the shape, for messages.
-    pub why: &'static str,
-}
-
-impl TensorSpec {
-    /// Number of values in the tensor.
-    pub fn values(&self) -> usize {
-        self.shape.iter().fold(1, |values, &size| values.saturating_mul(size))
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::tensors::{MAX_VALUES, TensorSpec};
+use super::tensor_spec::{MAX_VALUES, TensorSpec};
 use super::{Scene, Tensor};
 use crate::error::{Result, refuse};
 

@@ -557,10 +557,6 @@ fn add_slice<L: Lane>(
 ) {
     let [inputs, columns] = [params.inputs, params.columns];
     let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
-    // one lane goes on where the chunk before has ended: the sum does not depend on where that was
-    let of_lanes = part.continues && L::WIDTH == 1;
-    let of_rest = part.continues && L::WIDTH > 1;
-    let range = [part.begin, part.end];
     let stride = params.stride;
     let g = 4 * column * stride;
     let outputs = Outputs { first: 4 * column, step: 1, end: 4 * columns };
@@ -572,58 +568,68 @@ fn add_slice<L: Lane>(
         let to2 = to + 4 * min(2, inputs - 1 - first) * columns;
         let to3 = to + 4 * min(3, inputs - 1 - first) * columns;
         let from = [part.before + to, part.before + to1, part.before + to2, part.before + to3];
-        let rows = input_rows(params, first);
-        let sums = begin_sums::<L>(carry, from, outputs, of_lanes);
-        let ([sum0, sum1, sum2, sum3], sample) =
-            sum_products::<L>(sums, input, rows, output_gradient, g, stride, range);
-        let sum0 = sum0.materialize();
-        let sum1 = sum1.materialize();
-        let sum2 = sum2.materialize();
-        let sum3 = sum3.materialize();
-        let rests = begin_sums::<L::One>(carry, from, outputs, of_rest);
-        let range = [sample, part.end];
-        let [rest0, rest1, rest2, rest3] = if L::WIDTH > 1 {
-            sum_each::<L::One>(rests, input, rows, output_gradient, g, stride, range).0
-        } else {
-            rests
-        };
-        add_sums::<true>(params, carry, sum, part, to, outputs, total(sum0, rest0));
+        let rows = Rows { input, rows: input_rows(params, first), output_gradient, g, stride };
+        let [sum0, sum1, sum2, sum3] = sum_slice::<L, false>(rows, carry, from, part, outputs);
+        add_sums::<true>(params, carry, sum, part, to, outputs, sum0);
         if first + 1 < inputs {
-            add_sums::<true>(params, carry, sum, part, to1, outputs, total(sum1, rest1));
+            add_sums::<true>(params, carry, sum, part, to1, outputs, sum1);
         }
         if first + 2 < inputs {
-            add_sums::<true>(params, carry, sum, part, to2, outputs, total(sum2, rest2));
+            add_sums::<true>(params, carry, sum, part, to2, outputs, sum2);
         }
         if first + 3 < inputs {
-            add_sums::<true>(params, carry, sum, part, to3, outputs, total(sum3, rest3));
+            add_sums::<true>(params, carry, sum, part, to3, outputs, sum3);
         }
     } else {
         let to = 4 * params.bias;
-        let begin_lanes = begin_sum::<L>(carry, part.before + to, outputs, of_lanes);
-        let begin_rest = begin_sum::<L::One>(carry, part.before + to, outputs, of_rest);
-        let of_column = sum_column::<L>(begin_lanes, begin_rest, output_gradient, g, stride, range);
-        add_sums::<true>(params, carry, sum, part, to, outputs, of_column);
+        let from = [part.before + to; 4];
+        let rows = Rows { input, rows: [0; 4], output_gradient, g, stride };
+        let [sum0, _, _, _] = sum_slice::<L, true>(rows, carry, from, part, outputs);
+        add_sums::<true>(params, carry, sum, part, to, outputs, sum0);
     }
 }
 
-/// The sum of a column's four rows, over all samples of a range.
-#[inline(always)]
-fn sum_column<L: Lane>(
-    lanes: LaneVec4<L>,
-    rest: LaneVec4<L::One>,
-    rows: ReadFours<f32>,
-    first: u32,
+/// The rows of an invocation: four of inputs, and a column of outputs' gradients.
+#[derive(Clone, Copy)]
+struct Rows<'a> {
+    /// The layer's inputs.
+    input: ReadFours<'a, f32>,
+    /// Where four of them begin.
+    rows: [u32; 4],
+    /// The gradient of the layer's outputs.
+    output_gradient: ReadFours<'a, f32>,
+    /// Where the column's first row begins.
+    g: u32,
+    /// Distance of two rows.
     stride: u32,
-    [begin, end]: [u32; 2],
-) -> Vec4 {
-    let (lanes, sample) = sum_lanes::<L>(lanes, rows, first, stride, [begin, end]);
-    let lanes = lanes.materialize();
-    let rest = if L::WIDTH > 1 {
-        sum_each_lane::<L::One>(rest, rows, first, stride, [sample, end]).0
+}
+
+/// The sums of a part of a slice, which go on where the chunk before has ended. `BIAS`: of a bias, whose four inputs are 1.
+#[inline(always)]
+fn sum_slice<L: Lane, const BIAS: bool>(
+    rows: Rows,
+    carry: Write<f32>,
+    from: [u32; 4],
+    part: SlicePart,
+    outputs: Outputs,
+) -> [Vec4; 4] {
+    // one lane goes on where the chunk before has ended: the sum does not depend on where that was
+    let of_lanes = part.continues && L::WIDTH == 1;
+    let of_rest = part.continues && L::WIDTH > 1;
+    let sums = begin_sums::<L>(carry, from, outputs, of_lanes);
+    let ([sum0, sum1, sum2, sum3], sample) =
+        sum_products::<L, BIAS>(sums, rows, [part.begin, part.end]);
+    let sum0 = sum0.materialize();
+    let sum1 = sum1.materialize();
+    let sum2 = sum2.materialize();
+    let sum3 = sum3.materialize();
+    let rests = begin_sums::<L::One>(carry, from, outputs, of_rest);
+    let [rest0, rest1, rest2, rest3] = if L::WIDTH > 1 {
+        sum_each::<L::One, BIAS>(rests, rows, [sample, part.end]).0
     } else {
-        rest
+        rests
     };
-    total(lanes, rest)
+    [total(sum0, rest0), total(sum1, rest1), total(sum2, rest2), total(sum3, rest3)]
 }
 
 /// Adds four sums of a slice to the sums of all slices, in the row of parameters that begins at `to`; or leaves them for the
@@ -705,142 +711,83 @@ pub fn begin_sums<L: Lane>(
 /// Sums of the products of four inputs and a column of outputs' gradients, over the samples that fill all lanes; and the
 /// first sample after them.
 #[inline(always)]
-fn sum_products<L: Lane>(
+fn sum_products<L: Lane, const BIAS: bool>(
     before: [LaneVec4<L>; 4],
-    input: ReadFours<f32>,
-    rows: [u32; 4],
-    output_gradient: ReadFours<f32>,
-    g: u32,
-    stride: u32,
+    rows: Rows,
     [begin, end]: [u32; 2],
 ) -> ([LaneVec4<L>; 4], u32) {
     if L::READS_FOUR {
         let cursor = QuadCursor { at: begin / QUAD, begin, end };
-        let (sums, cursor) =
-            sum_quads::<L, false>(before, input, rows, output_gradient, g, stride, cursor);
-        let (sums, cursor) =
-            sum_quads::<L, true>(sums, input, rows, output_gradient, g, stride, cursor);
-        let (sums, _) =
-            sum_quads::<L, false>(sums, input, rows, output_gradient, g, stride, cursor);
+        let (sums, cursor) = sum_quads::<L, false, BIAS>(before, rows, cursor);
+        let (sums, cursor) = sum_quads::<L, true, BIAS>(sums, rows, cursor);
+        let (sums, _) = sum_quads::<L, false, BIAS>(sums, rows, cursor);
         (sums, end)
     } else {
-        sum_each(before, input, rows, output_gradient, g, stride, [begin, end])
+        sum_each::<L, BIAS>(before, rows, [begin, end])
     }
 }
 
 /// As [`sum_products`], with as many samples at a time as there are lanes.
 #[loops]
 #[inline(always)]
-fn sum_each<L: Lane>(
+fn sum_each<L: Lane, const BIAS: bool>(
     before: [LaneVec4<L>; 4],
-    input: ReadFours<f32>,
-    [row0, row1, row2, row3]: [u32; 4],
-    output_gradient: ReadFours<f32>,
-    g: u32,
-    stride: u32,
+    rows: Rows,
     [begin, end]: [u32; 2],
 ) -> ([LaneVec4<L>; 4], u32) {
     // sixteen sums: four variables, for an aggregate of them would stay in memory
     let [mut sum0, mut sum1, mut sum2, mut sum3] = before;
+    let Rows { input, rows: [row0, row1, row2, row3], output_gradient, g, stride } = rows;
     let mut sample = begin;
     while sample + L::WIDTH <= end {
         let g = read_column::<L>(output_gradient, g + sample, stride);
-        sum0 = add_scaled(sum0, Samples::read(input, row0 + sample), g);
-        sum1 = add_scaled(sum1, Samples::read(input, row1 + sample), g);
-        sum2 = add_scaled(sum2, Samples::read(input, row2 + sample), g);
-        sum3 = add_scaled(sum3, Samples::read(input, row3 + sample), g);
+        sum0 = add_scaled(sum0, read_input::<L, BIAS>(input, row0 + sample), g);
+        sum1 = add_scaled(sum1, read_input::<L, BIAS>(input, row1 + sample), g);
+        sum2 = add_scaled(sum2, read_input::<L, BIAS>(input, row2 + sample), g);
+        sum3 = add_scaled(sum3, read_input::<L, BIAS>(input, row3 + sample), g);
         sample += L::WIDTH;
     }
     ([sum0, sum1, sum2, sum3], sample)
 }
 
+/// An input of the samples of all lanes.
+#[inline(always)]
+fn read_input<L: Lane, const BIAS: bool>(input: ReadFours<f32>, at: u32) -> L {
+    if BIAS { L::splat(1.0) } else { Samples::read(input, at) }
+}
+
 /// As [`sum_products`], for a single lane and a few samples at a time: as [`QuadCursor::is_next`] says.
 #[loops]
 #[inline(always)]
-fn sum_quads<L: Lane, const WHOLE: bool>(
+fn sum_quads<L: Lane, const WHOLE: bool, const BIAS: bool>(
     before: [LaneVec4<L>; 4],
-    input: ReadFours<f32>,
-    [row0, row1, row2, row3]: [u32; 4],
-    output_gradient: ReadFours<f32>,
-    g: u32,
-    stride: u32,
+    rows: Rows,
     mut cursor: QuadCursor,
 ) -> ([LaneVec4<L>; 4], QuadCursor) {
     let [mut sum0, mut sum1, mut sum2, mut sum3] = before;
+    let Rows { input, rows: [row0, row1, row2, row3], output_gradient, g, stride } = rows;
     let [row0, row1, row2, row3] = [row0 / QUAD, row1 / QUAD, row2 / QUAD, row3 / QUAD];
     let g = g / QUAD;
     let stride = stride / QUAD;
     while cursor.is_next::<WHOLE>() {
         let g = read_quad::<L, WHOLE>(output_gradient, g, stride, cursor);
-        let x0 = quad_of_row::<L, WHOLE>(input, row0, cursor);
-        let x1 = quad_of_row::<L, WHOLE>(input, row1, cursor);
-        let x2 = quad_of_row::<L, WHOLE>(input, row2, cursor);
-        let x3 = quad_of_row::<L, WHOLE>(input, row3, cursor);
-        sum0 = add_quad(sum0, x0, g);
-        sum1 = add_quad(sum1, x1, g);
-        sum2 = add_quad(sum2, x2, g);
-        sum3 = add_quad(sum3, x3, g);
+        sum0 = add_quad(sum0, input_quad::<L, WHOLE, BIAS>(input, row0, cursor), g);
+        sum1 = add_quad(sum1, input_quad::<L, WHOLE, BIAS>(input, row1, cursor), g);
+        sum2 = add_quad(sum2, input_quad::<L, WHOLE, BIAS>(input, row2, cursor), g);
+        sum3 = add_quad(sum3, input_quad::<L, WHOLE, BIAS>(input, row3, cursor), g);
         cursor.at += 1;
     }
     ([sum0, sum1, sum2, sum3], cursor)
 }
 
-/// Sums of a column's four rows, over the samples that fill all lanes; and the first sample after them.
+/// As [`read_input`], of a few samples.
 #[inline(always)]
-fn sum_lanes<L: Lane>(
-    before: LaneVec4<L>,
-    rows: ReadFours<f32>,
-    first: u32,
-    stride: u32,
-    [begin, end]: [u32; 2],
-) -> (LaneVec4<L>, u32) {
-    if L::READS_FOUR {
-        let cursor = QuadCursor { at: begin / QUAD, begin, end };
-        let (sum, cursor) = sum_quad_lanes::<L, false>(before, rows, first, stride, cursor);
-        let (sum, cursor) = sum_quad_lanes::<L, true>(sum, rows, first, stride, cursor);
-        let (sum, _) = sum_quad_lanes::<L, false>(sum, rows, first, stride, cursor);
-        (sum, end)
-    } else {
-        sum_each_lane(before, rows, first, stride, [begin, end])
-    }
-}
-
-/// As [`sum_lanes`], with as many samples at a time as there are lanes.
-#[loops]
-#[inline(always)]
-fn sum_each_lane<L: Lane>(
-    before: LaneVec4<L>,
-    rows: ReadFours<f32>,
-    first: u32,
-    stride: u32,
-    [begin, end]: [u32; 2],
-) -> (LaneVec4<L>, u32) {
-    let mut sum = before;
-    let mut sample = begin;
-    while sample + L::WIDTH <= end {
-        sum = add(sum, read_column::<L>(rows, first + sample, stride));
-        sample += L::WIDTH;
-    }
-    (sum, sample)
-}
-
-/// As [`sum_quads`], of [`sum_lanes`].
-#[loops]
-#[inline(always)]
-fn sum_quad_lanes<L: Lane, const WHOLE: bool>(
-    before: LaneVec4<L>,
-    rows: ReadFours<f32>,
-    first: u32,
-    stride: u32,
-    mut cursor: QuadCursor,
-) -> (LaneVec4<L>, QuadCursor) {
-    let mut sum = before;
-    while cursor.is_next::<WHOLE>() {
-        let [g0, g1, g2, g3] = read_quad::<L, WHOLE>(rows, first / QUAD, stride / QUAD, cursor);
-        sum = add(add(add(add(sum, g0), g1), g2), g3);
-        cursor.at += 1;
-    }
-    (sum, cursor)
+fn input_quad<L: Lane, const WHOLE: bool, const BIAS: bool>(
+    input: ReadFours<f32>,
+    row: u32,
+    cursor: QuadCursor,
+) -> [L; QUAD as usize] {
+    if BIAS { [L::splat(1.0); 4] } else { quad_of_row::<L, WHOLE>(input, row, cursor) }
 }
 
 /// Where the rows of a block's inputs begin; inputs past the last repeat it.

@@ -1,4 +1,4 @@
-//! Tests of kernels: [parity](mod@case) cases, and [snapshots](snapshot) with pictures.
+//! Tests of kernels: [parity](mod@case) cases, and [snapshots](snapshot).
 //!
 //! # How devices are compared
 //!
@@ -62,7 +62,7 @@
 //!
 //! # Snapshots
 //!
-//! [`snapshots`] stores the results of a program, and shows a change as a picture. It needs the feature `snapshots`.
+//! [`snapshots`] stores the results of a program as tensors and pictures. It needs the feature `snapshots`.
 
 mod assert;
 pub mod bench;

@@ -1,22 +1,19 @@
 //! Compares the results of devices with accepted files.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
-use std::rc::Rc;
-use std::sync::{Arc, Mutex};
 
-use insta::internals::{SnapshotContents, TextSnapshotContents};
-use insta::{Settings, Snapshot, TextSnapshotKind};
+use image::RgbImage;
+use insta::internals::SnapshotContents;
+use insta::{Settings, Snapshot};
 
-use super::compare::{Mismatch, RecordedRule, Rule, Tolerance};
+use super::compare::{Tolerance, compare_pictures};
 use super::picture::{self, Montage};
-use super::report;
 use super::tensors::Tensors;
 
 /// A folder of accepted snapshots; [`snapshots`](crate::snapshots!) makes one.
 ///
 /// The snapshot is the CPU's output. Insta accepts it: `INSTA_UPDATE=always cargo test`, or `cargo insta review`. A
-/// GPU's output is compared with the accepted file, within a tolerance, and is never accepted itself.
+/// GPU's output is compared with the accepted file, and is never accepted itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Snapshots {
     /// Path of the folder in the package.
@@ -24,20 +21,6 @@ pub struct Snapshots {
     package: &'static str,
     text: fn(&str, &str),
     png: fn(&str, Vec<u8>),
-}
-
-/// A result that is compared with a snapshot.
-struct Record<'a> {
-    name: &'a str,
-    /// A description of the picture, for the review.
-    description: &'a str,
-    rule: Rule,
-    content: Content,
-}
-
-enum Content {
-    Text(String),
-    Png(Vec<u8>),
 }
 
 /// Makes the [`Snapshots`](crate::snapshot::Snapshots) of a folder of the package, such as `"tests/snapshots"`.
@@ -77,17 +60,24 @@ impl Snapshots {
     /// Compares tensors with the snapshot `name`. `device` is one of [`devices`](crate::devices).
     ///
     /// # Panics
-    /// If they differ by more than the tolerance.
+    /// If they differ by more than the tolerance, or if a value is NaN.
     pub fn assert_tensors(
         &self,
-        [name, description]: [&str; 2],
+        name: [&str; 2],
         device: &str,
         tensors: &Tensors,
         tolerance: Tolerance,
     ) {
-        let rule = Rule::Tensors(tolerance);
-        let content = Content::Text(tensors.to_string());
-        self.assert(device, &Record { name, description, rule, content });
+        let has_nan = tensors.0.iter().any(|tensor| tensor.values.iter().any(|x| x.is_nan()));
+        assert!(!has_nan, "NaN in the snapshot `{}` on {device}", name[0]);
+        let text = tensors.to_string();
+        let compare = |accepted: &SnapshotContents| match accepted {
+            // as far as the text has digits
+            SnapshotContents::Text(accepted) => tolerance
+                .compare(&Tensors::parse(&accepted.to_string())?, &Tensors::parse(&text)?),
+            SnapshotContents::Binary(_) => Err("the accepted snapshot is a picture".to_owned()),
+        };
+        self.assert(name, device, compare, || (self.text)(name[0], &text));
     }
 
     /// Compares tiles `[K, 3, S, S]`, with colors from 0 to 1, with the picture `name`.
@@ -96,66 +86,45 @@ impl Snapshots {
     /// If a pixel differs by more than rounding explains.
     pub fn assert_picture(
         &self,
-        [name, description]: [&str; 2],
+        name: [&str; 2],
         device: &str,
         colors: &[f32],
         montage: Montage,
     ) {
         let level = |value: &f32| (value.clamp(0.0, 1.0) * 255.0).round() as u8;
         let levels: Vec<u8> = colors.iter().map(level).collect();
-        let content = Content::Png(picture::encode(&montage.draw(&levels)));
-        self.assert(device, &Record { name, description, rule: Rule::Picture(montage), content });
-    }
-
-    fn assert(&self, device: &str, record: &Record<'_>) {
-        let picture = report::path(record.name, device);
-        let found = Arc::new(Mutex::new(None));
-        let held = RecordedRule { rule: record.rule, found: found.clone() };
-        let result = catch_unwind(AssertUnwindSafe(|| match device {
-            "cpu" => self.assert_accepted(record, held),
-            _ => self.assert_same(record, &held),
-        }));
-        let mismatch: Option<Mismatch> = found.lock().expect("no test panics there").take();
-        match (result, mismatch) {
-            (Ok(()), None) => _ = std::fs::remove_file(&picture),
-            (result, Some(mismatch)) => {
-                report::save(&mismatch.panels, &picture);
-                let text = mismatch.report(record.name, device, &picture);
-                match result {
-                    // INSTA_UPDATE has accepted it, or INSTA_FORCE_PASS has left it for review
-                    Ok(()) => println!("{text}"),
-                    Err(_) => panic!("{text}"),
-                }
+        let found: RgbImage = montage.draw(&levels);
+        let compare = |accepted: &SnapshotContents| match accepted {
+            SnapshotContents::Binary(Some(png)) => {
+                compare_pictures(&montage, &picture::decode(png)?, &found)
             }
-            (Err(panic), None) => std::panic::resume_unwind(panic),
-        }
+            _ => Err("the accepted snapshot is no picture, or its PNG is missing".to_owned()),
+        };
+        self.assert(name, device, compare, || (self.png)(name[0], picture::encode(&found)));
     }
 
-    fn assert_accepted(&self, record: &Record<'_>, held: RecordedRule) {
+    /// Compares a result with the accepted file. `ask` lets insta fail, or accept the result of the CPU.
+    fn assert(
+        &self,
+        [name, description]: [&str; 2],
+        device: &str,
+        compare: impl Fn(&SnapshotContents) -> Result<(), String>,
+        ask: impl FnOnce(),
+    ) {
+        let path = self.folder().join(format!("{name}.snap"));
+        let found = match Snapshot::from_file(&path) {
+            Ok(accepted) => compare(accepted.contents()),
+            Err(error) => Err(format!("{}: {error}", path.display())),
+        };
+        let Err(difference) = found else { return };
+        let message = format!("snapshot `{name}` on {device}: {difference}");
+        assert!(device == "cpu", "{message}");
+        println!("{message}");
         let mut settings = Settings::clone_current();
         settings.set_snapshot_path(self.folder());
         settings.set_prepend_module_to_snapshot(false);
         settings.set_omit_expression(true);
-        settings.set_description(record.description);
-        settings.set_comparator(Box::new(held));
-        settings.bind(|| match &record.content {
-            Content::Text(text) => (self.text)(record.name, text),
-            Content::Png(png) => (self.png)(record.name, png.clone()),
-        });
-    }
-
-    fn assert_same(&self, record: &Record<'_>, held: &RecordedRule) {
-        let path = self.folder().join(format!("{}.snap", record.name));
-        let accepted = Snapshot::from_file(&path)
-            .unwrap_or_else(|error| panic!("{}: {error}: accept the CPU's first", path.display()));
-        let contents = match &record.content {
-            Content::Text(text) => {
-                TextSnapshotContents::new(text.clone(), TextSnapshotKind::File).into()
-            }
-            Content::Png(png) => SnapshotContents::Binary(Some(Rc::new(png.clone()))),
-        };
-        let same = held.allows(accepted.contents(), &contents);
-        let force_pass = std::env::var_os("INSTA_FORCE_PASS").is_some_and(|value| value != "0");
-        assert!(same || force_pass, "{} differs", record.name);
+        settings.set_description(description);
+        settings.bind(ask);
     }
 }

@@ -1,14 +1,8 @@
-//! Compares a record with the accepted one, and describes the difference.
-
-use std::path::Path;
-use std::sync::{Arc, Mutex};
+//! Compares tensors and pictures with the accepted ones, and describes the difference.
 
 use image::RgbImage;
-use insta::internals::SnapshotContents;
-use insta::{Comparator, Snapshot};
 
-use super::picture::{self, Montage};
-use super::report::{self, Panels};
+use super::picture::Montage;
 use super::tensors::{Tensor, Tensors};
 
 /// The error allowed for a value of a tensor: `absolute + relative * |expected|`.
@@ -20,29 +14,6 @@ pub struct Tolerance {
     pub relative: f64,
 }
 
-/// Two records that differ.
-#[derive(Clone, Debug)]
-pub struct Mismatch {
-    /// Size and place of the difference.
-    pub message: String,
-    /// Pictures to show.
-    pub panels: Panels,
-}
-
-impl Mismatch {
-    /// The message of a failing test.
-    pub fn report(&self, name: &str, backend: &str, picture: &Path) -> String {
-        let picture = picture.canonicalize().unwrap_or_else(|_| picture.to_owned());
-        let what = &self.message;
-        let path = picture.display();
-        let amplification = self.panels.amplification;
-        format!(
-            "snapshot `{name}` on {backend}: {what}\n  expected | actual | difference x {amplification}: {path}\n  \
-             `cargo insta review` or INSTA_UPDATE=always accepts it"
-        )
-    }
-}
-
 impl Tolerance {
     fn allows(&self, tensor: &Tensor, expected: f64, actual: f64) -> bool {
         // NaN is never right. An infinity is right only where it is expected.
@@ -51,31 +22,29 @@ impl Tolerance {
         actual == expected || (expected.is_finite() && (actual - expected).abs() <= allowed)
     }
 
-    /// Compares tensors with the accepted ones. Names, their order and shapes must be the same.
-    pub fn compare(&self, expected: &Tensors, actual: &Tensors) -> Result<(), Mismatch> {
+    /// Compares tensors with the accepted ones, and describes the first difference. Names, their order and shapes must be the same.
+    pub fn compare(&self, expected: &Tensors, actual: &Tensors) -> Result<(), String> {
         let accepted = heads(expected);
         let found = heads(actual);
         if let Some(at) =
             (0..accepted.len().max(found.len())).find(|&i| accepted.get(i) != found.get(i))
         {
             let of = |heads: &[String]| heads.get(at).cloned().unwrap_or("nothing".to_owned());
-            let message = format!("shapes differ: {} for {}", of(&found), of(&accepted));
-            let panels = report::tensor_panels(expected.0.get(at), actual.0.get(at));
-            return Err(Mismatch { message, panels });
+            return Err(format!("shapes differ: {} for {}", of(&found), of(&accepted)));
         }
         let pairs = expected.0.iter().zip(&actual.0);
         let differing = pairs.filter_map(|(e, a)| Some((&e.name, self.worst(e, a)?)));
         let mut differing = differing.collect::<Vec<_>>().into_iter();
         // Report the first one: tensors are in the order of the stages, and later differences follow from it.
-        let Some((_, mut mismatch)) = differing.next() else { return Ok(()) };
+        let Some((_, mut message)) = differing.next() else { return Ok(()) };
         let others: Vec<String> = differing.map(|(name, _)| format!("`{name}`")).collect();
         if !others.is_empty() {
-            mismatch.message += &format!("; differing after it: {}", others.join(", "));
+            message += &format!("; differing after it: {}", others.join(", "));
         }
-        Err(mismatch)
+        Err(message)
     }
 
-    fn worst(&self, expected: &Tensor, actual: &Tensor) -> Option<Mismatch> {
+    fn worst(&self, expected: &Tensor, actual: &Tensor) -> Option<String> {
         let values = || expected.values.iter().zip(&actual.values).enumerate();
         let beyond = values().filter(|(_, (e, a))| !self.allows(expected, **e, **a)).count();
         if beyond == 0 {
@@ -88,15 +57,14 @@ impl Tolerance {
             true => "it must be equal".to_owned(),
             false => format!("allowed is {:.1e} + {:.1e} |expected|", self.absolute, self.relative),
         };
-        let message = format!(
+        Some(format!(
             "`{}` {:?} is {:.3e} apart at {}: {a} for {e}; {allowed}; {beyond} of {} values are beyond",
             expected.name,
             expected.shape,
             apart(e, a),
             place(&expected.shape, index),
             expected.values.len(),
-        );
-        Some(Mismatch { message, panels: report::tensor_panels(Some(expected), Some(actual)) })
+        ))
     }
 }
 
@@ -141,13 +109,11 @@ pub fn compare_pictures(
     montage: &Montage,
     expected: &RgbImage,
     actual: &RgbImage,
-) -> Result<(), Mismatch> {
-    let panels = || report::picture_panels(expected, actual);
+) -> Result<(), String> {
     if expected.dimensions() != actual.dimensions() {
         let found = actual.dimensions();
         let accepted = expected.dimensions();
-        let message = format!("sizes differ: {found:?} pixels for {accepted:?}");
-        return Err(Mismatch { message, panels: panels() });
+        return Err(format!("sizes differ: {found:?} pixels for {accepted:?}"));
     }
     let mut beyond = 0;
     let mut largest = 0;
@@ -169,78 +135,11 @@ pub fn compare_pictures(
         return Ok(());
     }
     let (x, y, channel) = at;
-    let message = format!(
+    Err(format!(
         "{largest} of 255 steps apart at {}: {} for {}; allowed is {STEPS}, and {EDGE_STEPS} for one pixel in \
          {EDGE_PIXELS}; {beyond} of {pixels} pixels are beyond {STEPS}",
         montage.describe([x, y], channel),
         actual.get_pixel(x, y).0[channel],
         expected.get_pixel(x, y).0[channel],
-    );
-    Err(Mismatch { message, panels: panels() })
-}
-
-/// The way in which a record is compared.
-#[derive(Clone, Copy, Debug)]
-pub enum Rule {
-    /// Text of [`Tensors`].
-    Tensors(Tolerance),
-    /// A PNG of a montage.
-    Picture(Montage),
-}
-
-impl Rule {
-    /// Compares the contents of two snapshots.
-    fn compare(
-        &self,
-        reference: &SnapshotContents,
-        test: &SnapshotContents,
-    ) -> Result<(), Mismatch> {
-        let result = match (self, (reference, test)) {
-            (Self::Tensors(tolerance), (SnapshotContents::Text(e), SnapshotContents::Text(a))) => {
-                let both = (Tensors::parse(&e.to_string()), Tensors::parse(&a.to_string()));
-                match both {
-                    (Ok(e), Ok(a)) => return tolerance.compare(&e, &a),
-                    (Err(reason), _) | (_, Err(reason)) => Err(reason),
-                }
-            }
-            (
-                Self::Picture(montage),
-                (SnapshotContents::Binary(Some(e)), SnapshotContents::Binary(Some(a))),
-            ) => match (picture::decode(e), picture::decode(a)) {
-                (Ok(e), Ok(a)) => return compare_pictures(montage, &e, &a),
-                (Err(reason), _) | (_, Err(reason)) => Err(reason),
-            },
-            _ => Err("the accepted snapshot is of another kind, or its PNG is missing".to_owned()),
-        };
-        result.map_err(|message| Mismatch { message, panels: report::no_panels() })
-    }
-}
-
-/// A [`Rule`] in the form that insta wants. It keeps the mismatch for the message.
-#[derive(Clone, Debug)]
-pub struct RecordedRule {
-    /// The rule for the comparison.
-    pub rule: Rule,
-    /// The mismatch, if there was one.
-    pub found: Arc<Mutex<Option<Mismatch>>>,
-}
-
-impl RecordedRule {
-    /// Whether the rule accepts the content of `test` in place of `reference`.
-    pub fn allows(&self, reference: &SnapshotContents, test: &SnapshotContents) -> bool {
-        let found = self.rule.compare(reference, test).err();
-        let matches = found.is_none();
-        *self.found.lock().expect("no test panics here") = found;
-        matches
-    }
-}
-
-impl Comparator for RecordedRule {
-    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
-        self.allows(reference.contents(), test.contents())
-    }
-
-    fn dyn_clone(&self) -> Box<dyn Comparator> {
-        Box::new(self.clone())
-    }
+    ))
 }

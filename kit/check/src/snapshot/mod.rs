@@ -1,9 +1,8 @@
-//! Snapshots of tensors and pictures: recording, comparison, and the output of a failure.
+//! Snapshots of tensors and pictures.
 
 mod accept;
 pub mod compare;
 pub mod picture;
-pub mod report;
 pub mod tensors;
 
 pub use accept::Snapshots;

@@ -17,11 +17,11 @@
 //!
 //! A `break` or a second condition becomes another way to `end`, and the path through the loop has one join less. All
 //! computations and their order stay the same.
+//!
+//! The kernel `loops` of `kit/language` has loops of all these forms.
 
 mod exits;
 mod rewrite;
-#[cfg(test)]
-mod tests;
 
 use anyhow::{Context, Result};
 use rspirv::dr::{Block, Function, Instruction, Module, Operand};

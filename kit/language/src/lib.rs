@@ -3,6 +3,7 @@
 mod core_functions;
 mod elementary;
 mod language;
+mod loops;
 mod vectors;
 
 use muslin_check::Case;

@@ -6,6 +6,7 @@
 pub mod core_functions;
 pub mod elementary;
 pub mod language;
+pub mod loops;
 pub mod vectors;
 
 /// Writes values to one element of each row of an output.

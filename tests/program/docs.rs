@@ -16,7 +16,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("cargo insta ", "it is installed apart, and asks questions"),
     ("cargo xtask", "`.ci/run` runs it: it needs the shader compiler"),
     ("scripts/build-rust-gpu-toolchain.sh", "`.ci/run` runs it: it takes 25 minutes at first"),
-    ("cargo run -- parity", "tests/program/kernels.rs runs it"),
+    ("cargo run -- parity", "tests/program/parity.rs runs it"),
     ("cargo build", "it compiles"),
     ("cargo install", "it compiles; `.ci/run` runs it"),
     ("organza view", "it shows a page until Ctrl-C; tests/program/view does that"),

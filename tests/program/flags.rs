@@ -49,7 +49,7 @@ fn every_command_has_examples_and_can_be_quiet_or_verbose() {
     ] {
         assert!(all.contains(detail), "{all}");
     }
-    for words in ["info scene.safetensors", "kernels", "completions bash"] {
+    for words in ["info scene.safetensors", "completions bash"] {
         assert_eq!(said(words), "", "{words}");
         assert!(said(&format!("{words} -v")).starts_with("detail: "), "{words}");
     }
@@ -170,7 +170,6 @@ fn results_are_json_with_documented_keys() {
         ("demo", vec!["demo -o demo --views 2 --size 16 --backend cpu"]),
         ("info", info.iter().map(String::as_str).collect()),
         ("bench", vec!["bench run data tiles.json --repeat 1 --backend cpu"]),
-        ("kernels", vec!["kernels"]),
     ] {
         let result = |words| sandbox.run(&format!("{words} --json")).json();
         assert_documented(command, &calls.into_iter().map(result).collect::<Vec<_>>());

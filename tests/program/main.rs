@@ -13,13 +13,13 @@ mod eval;
 mod film;
 mod flags;
 mod hostile;
-mod kernels;
 mod limits;
 mod mesh;
 mod mutate;
 mod mutations;
 #[cfg(unix)]
 mod outputs;
+mod parity;
 mod results;
 mod sandbox;
 mod splats;

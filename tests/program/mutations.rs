@@ -19,7 +19,7 @@ const LONGEST: Duration = Duration::from_secs(30);
 const MEMORY: u64 = 4_000_000;
 
 /// Working commands to be changed. Each ends soon with any number in it.
-const COMMANDS: [&str; 19] = [
+const COMMANDS: [&str; 18] = [
     "info scene.safetensors",
     "info cameras.json --json",
     "info tiles.json",
@@ -31,7 +31,6 @@ const COMMANDS: [&str; 19] = [
     "explain scene.safetensors cameras.json --pixel 48,40 --view 1",
     "explain scene.safetensors cameras.json --pixel 48,40 --all --json",
     "demo -o demo --views 1 --size 8 --backend cpu --quiet",
-    "kernels --json",
     "parity --adapter none",
     "bench scene.safetensors cameras.json tiles.json --backend cpu --repeat 1 --forward",
     "eval run --backend cpu",

@@ -17,7 +17,6 @@ mod film;
 mod import;
 mod info;
 mod inputs;
-mod kernels;
 mod mesh;
 mod output;
 mod parity;
@@ -89,7 +88,6 @@ enum Command {
     Explain(explain::Args),
     Eval(eval::Args),
     Compare(compare::Args),
-    Kernels(kernels::Args),
     Parity(parity::Args),
     Bench(bench::Args),
     Completions(completions::Args),
@@ -119,7 +117,6 @@ pub fn main() -> ExitCode {
         Command::Explain(args) => explain::run(args, console).map(done),
         Command::Eval(args) => eval::run(args, console).map(done),
         Command::Compare(args) => compare::run(args, console).map(done),
-        Command::Kernels(args) => kernels::run(args, console).map(done),
         Command::Parity(args) => parity::run(args, console),
         Command::Bench(args) => bench::run(args, console).map(done),
         Command::Completions(args) => completions::run(args, console).map(done),

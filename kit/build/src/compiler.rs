@@ -351,7 +351,6 @@ fn entry(
         file: format!("{}.wgsl", point.name),
         sha256: manifest::sha256(text.as_bytes()),
     };
-    let [instructions, loops] = module::size(spirv)?;
     Ok(KernelEntry {
         name: point.name.to_owned(),
         package: kernel.package.to_owned(),
@@ -359,8 +358,6 @@ fn entry(
         spirv: format!("{}.spv", point.name),
         spirv_bytes: spirv.len() as u64,
         spirv_sha256: manifest::sha256(spirv),
-        instructions,
-        loops,
         wgsl: wgsl.map(translation),
         interface: Interface::new(kernel, point),
     })

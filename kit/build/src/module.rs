@@ -37,17 +37,6 @@ pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()
     variables.try_for_each(|(_, variable)| check_buffer(kernel, point, &module, variable))
 }
 
-/// The numbers of a module's instructions and of its loops. Labels, variables and merges compute nothing, and do not count.
-pub fn size(spirv: &[u8]) -> Result<[u32; 2]> {
-    let module = load(spirv)?;
-    let blocks = module.functions.iter().flat_map(|function| &function.blocks);
-    let all = blocks.flat_map(|block| &block.instructions).map(|of| of.class.opcode);
-    let silent = [Op::Line, Op::NoLine, Op::Variable, Op::SelectionMerge, Op::LoopMerge];
-    let instructions = all.clone().filter(|op| !silent.contains(op)).count();
-    let loops = all.filter(|op| *op == Op::LoopMerge).count();
-    Ok([instructions as u32, loops as u32])
-}
-
 fn load(spirv: &[u8]) -> Result<Module> {
     ensure!(spirv.len().is_multiple_of(4), "the module is no sequence of words");
     dr::load_bytes(spirv).map_err(|error| anyhow!("the module is broken: {error}"))
@@ -287,12 +276,6 @@ mod tests {
         module.capabilities.push(Instruction::new(Op::Capability, None, None, capability));
         let message = wrong(&bytes(&module));
         assert!(message.starts_with("it has `u64` or `i64`, in helpers too"), "{message}");
-    }
-
-    #[test]
-    fn code_is_counted_in_functions_alone() {
-        // a branch and a return
-        assert_eq!(size(&module(4, true)).unwrap(), [2, 1]);
     }
 
     #[test]

@@ -93,7 +93,7 @@ pub use modules::Aligned;
 pub use modules::{CompiledKernel, Modules};
 pub use muslin_error::{Error, Result, format_bytes, memory};
 pub use muslin_kernel::kernel::{InstructionSet, kernels_of};
-pub use muslin_manifest::{List, STALE, Table, grouped};
+pub use muslin_manifest::{STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{BufferRange, DevicePlan, PlannedBuffer, PlannedCount, Step};
 pub use transfer::Pending;

@@ -4,8 +4,6 @@
 //! The kernel builder writes it, a build script [embeds](embed()) it, and tests compare it with the kernel sources.
 //! Nothing in it depends on the machine that wrote it.
 
-#[cfg(feature = "kernels")]
-mod list;
 mod source;
 mod table;
 
@@ -15,8 +13,6 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-#[cfg(feature = "kernels")]
-pub use list::List;
 pub use source::{STALE, embed, embed_compiled, locked_version, set_failure, source_hash};
 pub use table::{Table, grouped};
 
@@ -101,10 +97,6 @@ pub struct KernelEntry {
     pub spirv_bytes: u64,
     /// SHA-256 of the module, in lower-case hexadecimal.
     pub spirv_sha256: String,
-    /// Number of instructions in functions, without labels and others that compute nothing.
-    pub instructions: u32,
-    /// Number of loops.
-    pub loops: u32,
     /// The module in WGSL, for browsers; `None` if the project has none, and of a variant.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wgsl: Option<Translation>,
@@ -270,8 +262,6 @@ mod tests {
             spirv: format!("{name}.spv"),
             spirv_bytes: 4,
             spirv_sha256: sha256(b"test"),
-            instructions: 9,
-            loops: 0,
             wgsl: None,
             interface: Interface {
                 workgroup_size: [64, 1, 1],

@@ -13,7 +13,7 @@ use muslin_check::bench::{self, time};
 use muslin_device::{Device, memory};
 use organza_core::RenderReport;
 
-pub use muslin_check::bench::{KernelShare, Peaks};
+pub use muslin_check::bench::KernelShare;
 pub use synthetic::Synthetic;
 
 /// Options of a measurement.
@@ -52,10 +52,6 @@ pub struct Benchmark {
     pub forward_peak_memory_bytes: Option<u64>,
     /// Peak memory of the process until the end, in bytes; `None` if the system does not say.
     pub peak_memory_bytes: Option<u64>,
-    /// Measured peak of the device, in billions of floating-point operations per second.
-    pub peak_gflops: f64,
-    /// Measured peak of the device, in billions of bytes read from memory per second.
-    pub peak_gbs: f64,
     /// Kernels of a forward pass, the slowest first.
     pub forward_kernels: Vec<KernelShare>,
     /// Kernels of a forward and backward pass, the slowest first; of a forward pass alone if only that was measured.
@@ -99,11 +95,6 @@ pub fn measure(
         }
     };
     let peak_memory_bytes = memory::peak();
-    // last, because it takes additional memory
-    let peaks = Peaks::measure(device)?;
-    let beside = |kernels: &[KernelShare]| -> Vec<_> {
-        kernels.iter().map(|kernel| kernel.clone().beside(peaks)).collect()
-    };
     Ok(Benchmark {
         device: device.choice().to_owned(),
         repeat: options.repeat,
@@ -115,10 +106,8 @@ pub fn measure(
         forward_backward_s: backward.as_ref().map(|timed| timed.seconds),
         forward_peak_memory_bytes,
         peak_memory_bytes,
-        peak_gflops: peaks.gflops,
-        peak_gbs: peaks.gbs,
-        kernels: beside(&backward.as_ref().unwrap_or(&forward).kernels),
-        forward_kernels: beside(&forward.kernels),
+        kernels: backward.as_ref().unwrap_or(&forward).kernels.clone(),
+        forward_kernels: forward.kernels,
     })
 }
 

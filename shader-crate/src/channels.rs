@@ -7,8 +7,6 @@ use crate::camera::{Camera, read3};
 use crate::project::{read_quaternion, rotation_columns};
 use muslin::math::dot;
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work};
 
 /// Parameters of [`pair_channels`].
 #[params]
@@ -36,17 +34,10 @@ pub fn normal(rotation: Vec4, log_scale: Vec3, offset: Vec3) -> Vec3 {
     if dot(axis, offset) > 0.0 { -axis } else { axis }
 }
 
-/// Operations and bytes of [`pair_channels`].
-#[cfg(not(target_arch = "spirv"))]
-fn pair_channels_work(params: &PairChannelsParams, _: Shape<'_>) -> Work {
-    // the pair, its Gaussian and transmittance; both outputs
-    Work { flops: 0, bytes: u64::from(params.pairs) * (12 + 6) * NUMBER }
-}
-
 /// Writes, for each pair, `measure [pairs, 3]`: the depth, T and 0; and `normals [pairs, 3]`.
 ///
 /// The depth is the center's coordinate along the camera's axis, in world units. The normal is in world space.
-#[kernel(threads(64), over(params.pairs), counts(pairs), work(pair_channels_work))]
+#[kernel(threads(64), over(params.pairs), counts(pairs))]
 pub fn pair_channels(
     id: Invocation,
     params: &PairChannelsParams,

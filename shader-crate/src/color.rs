@@ -3,19 +3,13 @@
 use glam::Vec4;
 
 use crate::camera::{Camera, read3};
-#[cfg(not(target_arch = "spirv"))]
-use crate::dense::head_work;
 use crate::dense::{HeadParams, column};
-#[cfg(not(target_arch = "spirv"))]
-use crate::hash_grid::POINT;
 use crate::hash_grid::write_point;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_VECTOR};
 use crate::spherical_harmonics::{ITERATIONS as SH_ITERATIONS, spherical_harmonics};
 use crate::unit_cube::{SceneBox, contract, from_center};
 use muslin::math::{normalize, sigmoid};
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// Parameters of [`color_inputs`].
 #[params]
@@ -38,18 +32,9 @@ pub struct ColorInputsParams {
     pub contracted: u32,
 }
 
-/// Operations and bytes of [`color_inputs`].
-#[cfg(not(target_arch = "spirv"))]
-fn color_inputs_work(params: &ColorInputsParams, _: Shape<'_>) -> Work {
-    let [pairs, degree, material] = wide([params.pairs, params.sh_degree, params.material]);
-    // the pair and its position; harmonics; materials are read and written
-    let values = 1 + 3 + (degree + 1).pow(2) + 2 * material;
-    Work { flops: 0, bytes: pairs * (POINT + NUMBER * values) }
-}
-
 /// Writes what does not come from the hash grid: the point to encode, the harmonics of the view direction and
 /// the material (Eq. 1).  `point [7, stride]`, `input [rows, stride]`.
-#[kernel(threads(64), over(params.pairs), iterations = SH_ITERATIONS + MAX_VECTOR, counts(pairs), work(color_inputs_work))]
+#[kernel(threads(64), over(params.pairs), iterations = SH_ITERATIONS + MAX_VECTOR, counts(pairs))]
 pub fn color_inputs(
     id: Invocation,
     params: &ColorInputsParams,
@@ -89,14 +74,8 @@ pub fn color_inputs(
     }
 }
 
-/// Operations and bytes of [`color_head`].
-#[cfg(not(target_arch = "spirv"))]
-fn color_head_work(params: &HeadParams, _: Shape<'_>) -> Work {
-    head_work(params.samples, params.inputs, 3, 3)
-}
-
 /// The last layer of the color network and its sigmoid (Eq. 3): `color [pairs, 3]`.
-#[kernel(threads(64), over(params.samples), iterations = MAX_HIDDEN_WIDTH, fused, counts(samples), work(color_head_work))]
+#[kernel(threads(64), over(params.samples), iterations = MAX_HIDDEN_WIDTH, fused, counts(samples))]
 pub fn color_head(
     id: Invocation,
     params: &HeadParams,

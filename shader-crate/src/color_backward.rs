@@ -5,8 +5,6 @@ use glam::Vec4;
 use crate::limits::MAX_VECTOR;
 use crate::splat::VECTORS;
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Parameters of [`color_head_backward`].
 #[params]
@@ -19,17 +17,10 @@ pub struct ColorHeadBackwardParams {
     pub stride: u32,
 }
 
-/// Operations and bytes of [`color_head_backward`].
-#[cfg(not(target_arch = "spirv"))]
-fn color_head_backward_work(params: &ColorHeadBackwardParams, _: Shape<'_>) -> Work {
-    let samples = u64::from(params.samples);
-    Work { flops: 3 * 3 * samples, bytes: samples * (2 * 3 * NUMBER + VECTOR) }
-}
-
 /// The gradient of the color network's outputs, `dL/dc~ = dL/dc c (1 - c)` of Eq. 3.
 ///
 /// `color [pairs, 3]`; `pair_gradient [pairs, 3]`, dL/dc in the third; `logit_gradient [3, stride]`.
-#[kernel(threads(64), over(params.samples), counts(samples), work(color_head_backward_work))]
+#[kernel(threads(64), over(params.samples), counts(samples))]
 pub fn color_head_backward(
     id: Invocation,
     params: &ColorHeadBackwardParams,
@@ -65,16 +56,9 @@ pub struct MaterialBackwardParams {
     pub material_row: u32,
 }
 
-/// Operations and bytes of [`material_backward`].
-#[cfg(not(target_arch = "spirv"))]
-fn material_backward_work(params: &MaterialBackwardParams, _: Shape<'_>) -> Work {
-    let [samples, material] = wide([params.samples, params.material]);
-    Work { flops: 0, bytes: 2 * NUMBER * samples * material }
-}
-
 /// The gradient of every pair's material, a part of the color network's input (Eq. 1): `input_gradient
 /// [rows, stride]` to `pair_material [pairs, material]`.
-#[kernel(threads(64), over(params.samples), iterations = MAX_VECTOR, counts(samples), work(material_backward_work))]
+#[kernel(threads(64), over(params.samples), iterations = MAX_VECTOR, counts(samples))]
 pub fn material_backward(
     id: Invocation,
     params: &MaterialBackwardParams,

@@ -5,14 +5,10 @@ use glam::{UVec3, Vec3, Vec4};
 
 use crate::limits::MAX_INTERSECTIONS;
 use crate::project::{falloff, in_support, mahalanobis};
-#[cfg(not(target_arch = "spirv"))]
-use crate::splat::SPLAT;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::tile_cells::{Cells, touches};
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, VECTOR, Work};
 
 /// Parameters of [`composite`].
 #[params]
@@ -100,29 +96,11 @@ impl Source<u32> for IntersectionCells<'_> {
     }
 }
 
-/// Operations and bytes of [`composite`]. An upper limit: every intersection at every pixel of its tile.
-#[cfg(not(target_arch = "spirv"))]
-fn composite_work(params: &CompositeParams, shape: Shape<'_>) -> Work {
-    /// The binding of the intersections, among the storage buffers.
-    const INTERSECTION: usize = 2;
-    /// Operations of an intersection at a pixel.
-    const COMPOSITE: u64 = 20;
-    let area = u64::from(params.side).pow(2);
-    // a fuller tile takes more dispatches: the first one stands for all of its intersections
-    let intersections = if params.skip == 0 { shape.elements[INTERSECTION] } else { 0 };
-    let sums = shape.workgroups_z * area * VECTOR;
-    // an intersection's pair, cells and splat
-    Work {
-        flops: COMPOSITE * intersections * area,
-        bytes: intersections * (2 * NUMBER + SPLAT) + 2 * sums,
-    }
-}
-
 /// Adds up to [`MAX_INTERSECTIONS`] intersections to `sum [tiles, 4, S, S]`, which holds (C, S) of Eq. 12.
 ///
 /// The intersections of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order; `cells [intersections]` as
 /// [`tile_cells`](crate::tile_cells::tile_cells()) writes them.
-#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), iterations = MAX_INTERSECTIONS + MAX_INTERSECTIONS / 8, lanes(side), work(composite_work))]
+#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), iterations = MAX_INTERSECTIONS + MAX_INTERSECTIONS / 8, lanes(side))]
 pub fn composite<L: Lane>(
     id: Invocation,
     params: &CompositeParams,

@@ -5,15 +5,11 @@ use glam::{Vec3, Vec4};
 use crate::composite::SUM_PLANES;
 use crate::limits::MAX_BAND;
 use crate::project::{falloff, in_support, mahalanobis};
-#[cfg(not(target_arch = "spirv"))]
-use crate::splat::SPLAT;
 use crate::splat::{Compensation, VECTORS};
 use crate::tile::Tile;
 use crate::transmittance::owner;
 use muslin::math::{ceil, clamp};
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Parameters of [`composite_backward`].
 #[params]
@@ -180,19 +176,6 @@ fn all_moments<L: Lane>(
     sum
 }
 
-/// Operations and bytes of [`composite_backward`]. An upper limit: every intersection at every pixel of its tile.
-#[cfg(not(target_arch = "spirv"))]
-fn composite_backward_work(params: &CompositeBackwardParams, _: Shape<'_>) -> Work {
-    /// Operations of an intersection at a pixel.
-    const COMPOSITE_BACKWARD: u64 = 30;
-    let [intersections, tiles, side, rows] =
-        wide([params.intersections, params.tiles, params.side, params.rows]);
-    Work {
-        flops: COMPOSITE_BACKWARD * intersections * side * rows,
-        bytes: intersections * (NUMBER + SPLAT + 2 * SPLAT) + tiles * side * rows * VECTOR,
-    }
-}
-
 /// Adds to `intersection_gradient [intersections, 3]` the gradient of each intersection's splat from some rows of its tile, given
 /// `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS: `(d mean2d x, y, d weight, 0), (d conic xx, xy, yy, 0),
 /// (d color, 0)`.
@@ -201,7 +184,7 @@ fn composite_backward_work(params: &CompositeBackwardParams, _: Shape<'_>) -> Wo
 /// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  The weight is the one before its [`Compensation`], which depends on
 /// the conic.  One invocation for each intersection of a tile: pixels are summed
 /// in an order that nothing changes.
-#[kernel(threads(64), over(params.intersections), iterations = u32::BITS + MAX_BAND, lanes, counts(intersections), work(composite_backward_work))]
+#[kernel(threads(64), over(params.intersections), iterations = u32::BITS + MAX_BAND, lanes, counts(intersections))]
 pub fn composite_backward<L: Lane>(
     id: Invocation,
     params: &CompositeBackwardParams,

@@ -10,8 +10,6 @@ use crate::limits::MAX_INPUTS;
 use muslin::lane_vec4::LaneVec4;
 use muslin::prelude::*;
 use muslin::samples::Samples;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Outputs of a hidden layer that one invocation computes.
 pub const OUTPUTS_PER_INVOCATION: u32 = 16;
@@ -92,30 +90,10 @@ pub fn column<L: Lane>(
     sum
 }
 
-/// Operations and bytes of a network's last layer: `outputs`, and `more` values of each sample beside its inputs.
-#[cfg(not(target_arch = "spirv"))]
-pub(crate) fn head_work(samples: u32, inputs: u32, outputs: u64, more: u64) -> Work {
-    let [samples, inputs] = wide([samples, inputs]);
-    Work {
-        flops: 2 * samples * inputs * outputs,
-        bytes: NUMBER * samples * (inputs + more) + VECTOR * (inputs + 1),
-    }
-}
-
-/// Operations and bytes of [`dense`].
-#[cfg(not(target_arch = "spirv"))]
-pub(crate) fn dense_work(params: &DenseParams, _: Shape<'_>) -> Work {
-    let [samples, inputs, outputs] = wide([params.samples, params.inputs, 4 * params.columns]);
-    Work {
-        flops: 2 * samples * inputs * outputs,
-        bytes: NUMBER * (samples * (inputs + outputs) + (inputs + 1) * outputs),
-    }
-}
-
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), over(params.samples, params.columns * 4 / OUTPUTS_PER_INVOCATION), iterations = MAX_INPUTS, fused, z_innermost, lanes(samples), counts(samples), work(dense_work))]
+#[kernel(threads(64), over(params.samples, params.columns * 4 / OUTPUTS_PER_INVOCATION), iterations = MAX_INPUTS, fused, z_innermost, lanes(samples), counts(samples))]
 pub fn dense<S: Samples>(
     id: Invocation,
     params: &DenseParams,

@@ -13,8 +13,6 @@ use muslin::binned;
 use muslin::lane_vec4::LaneVec4;
 use muslin::prelude::*;
 use muslin::samples::{Four, Samples};
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// Inputs of a layer whose gradient one invocation of [`dense_backward`] computes.
 pub const INPUTS_PER_INVOCATION: u32 = 8;
@@ -80,23 +78,11 @@ pub fn min(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
 
-/// Operations and bytes of [`dense_backward`].
-#[cfg(not(target_arch = "spirv"))]
-fn dense_backward_work(params: &DenseBackwardParams, _: Shape<'_>) -> Work {
-    let inputs = params.end_input - params.first_input;
-    let [samples, inputs, outputs] = wide([params.samples, inputs, 4 * params.columns]);
-    let masked = u64::from(params.rectified) * inputs;
-    Work {
-        flops: 2 * samples * inputs * outputs,
-        bytes: NUMBER * (samples * (inputs + masked + outputs) + inputs * outputs),
-    }
-}
-
 /// The gradient of a layer's inputs, `dL/dx_i = sum_o W_oi dL/dy_o` of Eq. 2 and 10: samples along x and y, blocks of
 /// eight inputs from `first_input` on along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
-#[kernel(threads(64), over(params.samples, (params.end_input - params.first_input).div_ceil(INPUTS_PER_INVOCATION)), iterations = MAX_HIDDEN_WIDTH / 4, fused, z_innermost, lanes(samples), counts(samples), work(dense_backward_work))]
+#[kernel(threads(64), over(params.samples, (params.end_input - params.first_input).div_ceil(INPUTS_PER_INVOCATION)), iterations = MAX_HIDDEN_WIDTH / 4, fused, z_innermost, lanes(samples), counts(samples))]
 pub fn dense_backward<S: Samples>(
     id: Invocation,
     params: &DenseBackwardParams,
@@ -371,17 +357,6 @@ pub fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
     )
 }
 
-/// Operations and bytes of [`dense_weight_backward`].
-#[cfg(not(target_arch = "spirv"))]
-fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'_>) -> Work {
-    let [samples, inputs, outputs] = wide([params.samples, params.inputs, 4 * params.columns]);
-    Work {
-        flops: samples * (2 * inputs + 1) * outputs,
-        bytes: NUMBER
-            * (samples * (inputs + outputs) + shape.workgroups_z * (inputs + 1) * outputs),
-    }
-}
-
 /// Adds the gradient of a layer's weights and biases, `dL/dW_oi = sum x_i dL/dy_o` and `dL/db_o = sum dL/dy_o` of Eq. 2
 /// and 10, to `sum`: blocks of four inputs and a column of outputs along x and y (the column counts fastest; behind the
 /// last block the biases), windows of as many samples as a slice has along z.
@@ -396,7 +371,7 @@ fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'
 /// `sum [17, 4 parameters, 2]`.
 ///
 /// In the variant, a workgroup takes a [tile](crate::weight_tile) of the weights.
-#[kernel(threads(64), over(weight_invocations(params.inputs, params.columns), params.samples.div_ceil(params.slice) + 1), iterations = 4 * MAX_SLICE + MAX_CAMERAS + SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
+#[kernel(threads(64), over(weight_invocations(params.inputs, params.columns), params.samples.div_ceil(params.slice) + 1), iterations = 4 * MAX_SLICE + MAX_CAMERAS + SEARCH, fused, lanes, counts(samples))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,

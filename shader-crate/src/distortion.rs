@@ -14,8 +14,6 @@ use crate::composite::SUM_PLANES;
 use crate::tile::Tile;
 use muslin::math::{TINY, dot, sqrt};
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work};
 
 /// Distances from the eye, in world units, are at least this.
 pub const MIN_DISTANCE: f32 = 1e-6;
@@ -29,15 +27,8 @@ pub struct PairInverseDistanceParams {
     pub gaussians: u32,
 }
 
-/// Operations and bytes of [`pair_inverse_distance`].
-#[cfg(not(target_arch = "spirv"))]
-fn pair_inverse_distance_work(params: &PairInverseDistanceParams, _: Shape<'_>) -> Work {
-    // the pair and its Gaussian's center
-    Work { flops: 0, bytes: u64::from(params.pairs) * (4 + 3) * NUMBER }
-}
-
 /// Writes, for each pair, `power [pairs, 3]`: u, u^2 and 0.
-#[kernel(threads(64), over(params.pairs), counts(pairs), work(pair_inverse_distance_work))]
+#[kernel(threads(64), over(params.pairs), counts(pairs))]
 pub fn pair_inverse_distance(
     id: Invocation,
     params: &PairInverseDistanceParams,
@@ -68,19 +59,12 @@ pub struct DistortionParams {
     pub scale: f32,
 }
 
-/// Operations and bytes of [`distortion_backward`].
-#[cfg(not(target_arch = "spirv"))]
-fn distortion_backward_work(params: &DistortionParams, shape: Shape<'_>) -> Work {
-    let pixels = shape.workgroups_z * u64::from(params.side).pow(2);
-    Work { flops: 16 * pixels, bytes: pixels * (3 + 1 + 4) * NUMBER }
-}
-
 /// The derivative of the distortion: `sum_gradient [tiles, 4, S, S]`, by M_1, by M_2, 0 and by S, of `sum [tiles, 4, S, S]` and
 /// `valid [K, S, S]`, which is 0 where a pixel does not count. Pixels along x and y, tiles along z.
 ///
 /// With `s = min(S, 1)`: `dL/dM_2 = s^2 S / M_1^2`, `dL/dM_1 = -2 s^2 S M_2 / M_1^3`, and `dL/dS = M_2 / M_1^2` where S
 /// passes 1, `3 S^2 M_2 / M_1^2 - 2 S` where it does not; all times the scale.
-#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side), work(distortion_backward_work))]
+#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side))]
 pub fn distortion_backward<L: Lane>(
     id: Invocation,
     params: &DistortionParams,

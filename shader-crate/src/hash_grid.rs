@@ -5,8 +5,6 @@ use crate::unit_cube::Split;
 #[cfg(not(target_arch = "spirv"))]
 use crate::unit_cube::leading_bits;
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// One level of a grid; the host computes it in f64, kernels never call `pow`.
 #[params]
@@ -314,22 +312,11 @@ pub(crate) const POINT: u64 = 6 * NUMBER;
 #[cfg(not(target_arch = "spirv"))]
 pub(crate) const CELL: u64 = 3 * 9 + 15;
 
-/// Operations and bytes of [`hash_grid`].
-#[cfg(not(target_arch = "spirv"))]
-pub(crate) fn hash_grid_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
-    let [points, features] = wide([params.points, params.features]);
-    let cells = points * shape.workgroups_z;
-    Work {
-        flops: cells * (CELL + 15 * features),
-        bytes: points * POINT + cells * (8 + 1) * features * NUMBER,
-    }
-}
-
 /// Writes the features of every (point, level): points along x and y, levels along z.
 ///
 /// `position [chunks, point_rows, stride]`, see [`write_point`]; `table [entries, features]`;
 /// `output [chunks, rows, stride]`.
-#[kernel(threads(64), over(params.points, levels.len()), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_work))]
+#[kernel(threads(64), over(params.points, levels.len()), iterations = MAX_FEATURES, lanes(points), counts(points))]
 pub fn hash_grid<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

@@ -5,32 +5,16 @@
 
 #[cfg(not(target_arch = "spirv"))]
 use crate::hash_grid::CELL;
-#[cfg(not(target_arch = "spirv"))]
-use crate::hash_grid::POINT;
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, value_at};
 use crate::hash_grid_scale::{INVERSE, LIMIT, SCALE, STATUS_LIMIT};
 use crate::limits::MAX_FEATURES;
 use muslin::atomic;
 use muslin::math::TINY;
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// Values of a table that share a flag.  The flag is 1 if a gradient has been added to any of them; [`adam`](crate::adam::adam())
 /// skips the others.
 pub const VALUES_PER_FLAG: u32 = 64;
-
-/// Operations and bytes of [`hash_grid_backward`].
-#[cfg(not(target_arch = "spirv"))]
-fn hash_grid_backward_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
-    let [points, features] = wide([params.points, params.features]);
-    let cells = points * shape.workgroups_z;
-    // a feature's gradient is read, and eight sums of 64 bits are read and written
-    Work {
-        flops: cells * (CELL + 17 * features),
-        bytes: points * POINT + cells * (NUMBER + 8 * 2 * 2 * NUMBER) * features,
-    }
-}
 
 /// Adds every point's gradient to the entries of its cells' corners: `sum += weight * feature_gradient`, with
 /// `dL/dtable[entry, f] = sum_points weight dL/dfeature_f`; points along x and y, levels along z.
@@ -39,7 +23,7 @@ fn hash_grid_backward_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
 /// `feature_gradient [chunks, rows, stride]`, from the row `params.first_row` on; `scale [3]`, see [`hash_grid_scale`](crate::hash_grid_scale::hash_grid_scale());
 /// `sum [2 entries features]`; `touched [ceil(entries features / 64)]` becomes 1 where something is added.  A point
 /// whose gradient is zero in a level adds nothing there; one above the limit, or NaN, raises `status`.
-#[kernel(threads(64), over(params.points, levels.len()), iterations = 2 * MAX_FEATURES, z_serial, lanes(points), counts(points), work(hash_grid_backward_work))]
+#[kernel(threads(64), over(params.points, levels.len()), iterations = 2 * MAX_FEATURES, z_serial, lanes(points), counts(points))]
 pub fn hash_grid_backward<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

@@ -3,31 +3,16 @@
 //! Two features are one word: an entry takes half as many words as it has features, rounded up.  Features are
 //! rounded once, to 11 bits, when the table is packed; all else is as in [`hash_grid`](crate::hash_grid).
 
-#[cfg(not(target_arch = "spirv"))]
-use crate::hash_grid::hash_grid_work;
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, sum, value_at};
 use crate::limits::MAX_FEATURES;
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// The largest number that a table may hold.
 pub const MAX_HALF: f32 = 65_504.0;
 
-/// Operations and bytes of [`hash_grid_half`].
-#[cfg(not(target_arch = "spirv"))]
-fn hash_grid_half_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
-    let [points, features] = wide([params.points, params.features]);
-    // a word holds two of a corner's features; a product of two powers of two makes a half a number
-    let words = 8 * shape.workgroups_z * features.div_ceil(2);
-    let full = hash_grid_work(params, shape);
-    let halved = NUMBER * points * (8 * shape.workgroups_z * features - words);
-    Work { flops: full.flops + 2 * points * words, bytes: full.bytes - halved }
-}
-
 /// As [`hash_grid`](crate::hash_grid::hash_grid()), with `table [entries, ceil(features / 2)]`: the feature of even
 /// number in the lower half of a word.
-#[kernel(threads(64), over(params.points, levels.len()), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_half_work))]
+#[kernel(threads(64), over(params.points, levels.len()), iterations = MAX_FEATURES, lanes(points), counts(points))]
 pub fn hash_grid_half<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

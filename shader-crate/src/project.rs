@@ -7,8 +7,6 @@ use crate::pinhole::Pinhole;
 use muslin::atomic;
 use muslin::math::{HUGE, abs, cross, dot, exp, is_finite, sqrt};
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, VECTOR, Work};
 
 /// `2 ln 255`: the squared Mahalanobis radius at which the falloff has come down to 1/255, and ends.
 pub const FALLOFF_CUTOFF: f32 = 11.082_527;
@@ -194,19 +192,12 @@ pub struct ProjectParams {
     pub blur: f32,
 }
 
-/// Operations and bytes of [`project`].
-#[cfg(not(target_arch = "spirv"))]
-fn project_work(params: &ProjectParams, shape: Shape<'_>) -> Work {
-    let gaussians = u64::from(params.gaussians);
-    Work { flops: 0, bytes: gaussians * (10 * NUMBER + shape.workgroups_z * 2 * VECTOR) }
-}
-
 /// Every Gaussian in every camera: Gaussians along x and y, cameras along z.
 ///
 /// `window [cameras, 4]` holds a camera's tiles, see [`WINDOW`]. `projection [cameras, gaussians, 2]` is `(mean2d, radius,
 /// extent x), (conic, extent y)`: all zeros but the negative radius where a Gaussian is culled. `degenerate [1]` counts
 /// Gaussians that may reach a window and cannot be projected.
-#[kernel(threads(64), over(params.gaussians, window.len() / 4), iterations = 1, lanes(gaussians), work(project_work))]
+#[kernel(threads(64), over(params.gaussians, window.len() / 4), iterations = 1, lanes(gaussians))]
 pub fn project<L: Lane>(
     id: Invocation,
     params: &ProjectParams,

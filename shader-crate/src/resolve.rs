@@ -4,8 +4,6 @@
 use crate::composite::SUM_PLANES;
 use crate::tile::Tile;
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work};
 
 /// Parameters of [`resolve`] and [`resolve_backward`].
 #[params]
@@ -93,18 +91,11 @@ impl ResolveParams {
     }
 }
 
-/// Operations and bytes of [`resolve`].
-#[cfg(not(target_arch = "spirv"))]
-fn resolve_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
-    let pixels = shape.workgroups_z * u64::from(params.side).pow(2);
-    Work { flops: 11 * pixels, bytes: pixels * (4 + 3) * NUMBER }
-}
-
 /// Writes `image [K, 3, S, S]` (Eq. 13 and 16) from `sum [tiles, 4, S, S]`: the sum divided by its weight if that exceeds 1,
 /// and over the background otherwise.
 ///
 /// The tile of the batch that is its `output`-th begins at `output * 3 S S`.
-#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side), work(resolve_work))]
+#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side))]
 pub fn resolve<L: Lane>(
     id: Invocation,
     params: &ResolveParams,
@@ -126,19 +117,12 @@ pub fn resolve<L: Lane>(
     }
 }
 
-/// Operations and bytes of [`resolve_backward`].
-#[cfg(not(target_arch = "spirv"))]
-fn resolve_backward_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
-    let pixels = shape.workgroups_z * u64::from(params.side).pow(2);
-    Work { flops: 16 * pixels, bytes: pixels * (4 + 3 + 4) * NUMBER }
-}
-
 /// The derivative of [`resolve`]: `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS, of `image_gradient [K, 3, S, S]`,
 /// dL/dI, which lies as `image` does.
 ///
 /// Of the branch of Eq. 13 that was taken: `dL/dC = dL/dI / S` and `dL/dS = -(dL/dI . C) / S^2` where S passes 1,
 /// `dL/dC = dL/dI` and `dL/dS = -(dL/dI . b)` where it does not.
-#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side), work(resolve_backward_work))]
+#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side))]
 pub fn resolve_backward<L: Lane>(
     id: Invocation,
     params: &ResolveParams,

@@ -5,8 +5,6 @@ use glam::{Vec3, Vec4};
 use crate::limits::MAX_TILES;
 use muslin::math::{sigmoid, sqrt};
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, VECTOR, Work};
 
 /// `Vec4`s of a splat: `(mean2d, weight, extent x), (conic, extent y), (color, 0)`.
 pub const VECTORS: u32 = 3;
@@ -58,20 +56,9 @@ impl Compensation {
     }
 }
 
-/// Bytes of a splat: three vectors.
-#[cfg(not(target_arch = "spirv"))]
-pub(crate) const SPLAT: u64 = VECTORS as u64 * VECTOR;
-
-/// Operations and bytes of [`splat`].
-#[cfg(not(target_arch = "spirv"))]
-fn splat_work(params: &SplatParams, _: Shape<'_>) -> Work {
-    // the pair, its projection, opacity, transmittance and color
-    Work { flops: 0, bytes: u64::from(params.pairs) * (6 * NUMBER + 2 * VECTOR + SPLAT) }
-}
-
 /// Gathers `splat [pairs, 3]`; the weight is `sigmoid(opacity) T`, alpha but for the falloff (Eq. 12), times the
 /// [`Compensation`] if the scene has one.
-#[kernel(threads(64), over(params.pairs), counts(pairs), work(splat_work))]
+#[kernel(threads(64), over(params.pairs), counts(pairs))]
 pub fn splat(
     id: Invocation,
     params: &SplatParams,

@@ -2,11 +2,7 @@
 
 use glam::Vec4;
 
-#[cfg(not(target_arch = "spirv"))]
-use crate::dense::head_work;
 use crate::dense::{HeadParams, column};
-#[cfg(not(target_arch = "spirv"))]
-use crate::hash_grid::POINT;
 use crate::hash_grid::{POINT_ROWS, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
 use crate::occupancy::occupied;
@@ -14,8 +10,6 @@ use crate::segment::{contracted_place, read_contracted, read_segment};
 use crate::unit_cube::Split;
 use muslin::math::{exp, log_sigmoid};
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// Parameters of [`transmittance_inputs`].
 #[params]
@@ -61,20 +55,13 @@ fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32
     low
 }
 
-/// Operations and bytes of [`transmittance_inputs`]. Only values that are written count: what they are computed from serves many samples.
-#[cfg(not(target_arch = "spirv"))]
-fn transmittance_inputs_work(params: &TransmittanceInputsParams, _: Shape<'_>) -> Work {
-    let [samples, extra] = wide([params.samples, params.extra]);
-    Work { flops: 0, bytes: samples * (POINT + NUMBER + NUMBER * extra) }
-}
-
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
 /// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`. With an
 /// [occupancy grid](crate::occupancy), `s_factor` is times how full x_k is.
 ///
 /// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and lane by lane from where the pair ends.
-#[kernel(threads(64), over(params.samples), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs), work(transmittance_inputs_work))]
+#[kernel(threads(64), over(params.samples), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs))]
 pub fn transmittance_inputs<L: Lane>(
     id: Invocation,
     params: &TransmittanceInputsParams,
@@ -188,15 +175,9 @@ pub fn logit_and_factor<L: Lane>(
     (a, L::read(point, POINT_ROWS * params.stride + sample))
 }
 
-/// Operations and bytes of [`transmittance_head`].
-#[cfg(not(target_arch = "spirv"))]
-fn transmittance_head_work(params: &HeadParams, _: Shape<'_>) -> Work {
-    head_work(params.samples, params.inputs, 1, 2)
-}
-
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
-#[kernel(threads(64), over(params.samples), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_work))]
+#[kernel(threads(64), over(params.samples), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples))]
 pub fn transmittance_head<L: Lane>(
     id: Invocation,
     params: &HeadParams,

@@ -3,15 +3,11 @@
 use glam::Vec4;
 
 use crate::dense::HeadParams;
-#[cfg(not(target_arch = "spirv"))]
-use crate::dense::head_work;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
 use crate::splat::VECTORS;
 use crate::transmittance::logit_and_factor;
 use muslin::math::sigmoid;
 use muslin::prelude::*;
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{Shape, Work};
 
 /// Parameters of [`segment_product_backward`].
 #[params]
@@ -66,18 +62,12 @@ pub fn segment_product_backward(
     }
 }
 
-/// Operations and bytes of [`transmittance_head_backward`].
-#[cfg(not(target_arch = "spirv"))]
-fn transmittance_head_backward_work(params: &HeadParams, _: Shape<'_>) -> Work {
-    head_work(params.samples, params.inputs, 1, 3)
-}
-
 /// The gradient of the scalar network's output, which is computed once more: `dL/da_k = dL/dlog_rho_k s_factor
 /// sigmoid(-a_k)` of Eq. 11.
 ///
 /// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`: of
 /// the chunk, wherever it begins.
-#[kernel(threads(64), over(params.samples), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_backward_work))]
+#[kernel(threads(64), over(params.samples), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples))]
 pub fn transmittance_head_backward<L: Lane>(
     id: Invocation,
     params: &HeadParams,

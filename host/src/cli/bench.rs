@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use muslin_check::bench::{self, table};
-use organza::bench::{BenchOptions, Benchmark, Peaks, Synthetic, measure, passes};
+use organza::bench::{BenchOptions, Benchmark, Synthetic, measure, passes};
 use organza::camera::Orbit;
 use organza::error::{DeviceError, chain};
 use organza::image::TILE_SIDE;
@@ -29,10 +29,8 @@ Times are medians over the passes, after one pass that warms up. `forward` ends 
 `forward and backward` is one pass for the gradient of the tiles' sum (dL/dY = 1 everywhere); it ends when the \
 gradients of all tensors are on the device. `share` is a kernel's part of the time of all kernels. On the CPU, kernels \
 are timed in the same passes. On a GPU, they are timed in separate passes, by timestamps of the GPU; if it has none, \
-organza waits for each dispatch, and its time includes the way to the device and back. GFLOP/s and GB/s are counted by \
-formulas (docs/performance.md). `of peak` compares them with the device's own peaks in multiply-adds and in reading \
-memory, and is the larger of the two; caches can bring it above 100%. The peaks are measured after the batch. Peak \
-memory is the process's, with the scene's file and without a GPU's memory.";
+organza waits for each dispatch, and its time includes the way to the device and back. Peak memory is the process's, with the scene's \
+file and without a GPU's memory.";
 
 /// Measure a batch, forward and backward, and each kernel's part of it
 #[derive(Debug, clap::Args)]
@@ -189,8 +187,6 @@ fn text(benchmark: &Benchmark) -> String {
         row("forward and backward", seconds, benchmark.peak_memory_bytes);
     }
     text += &whole.to_string();
-    let peaks = Peaks { gflops: benchmark.peak_gflops, gbs: benchmark.peak_gbs };
-    text += &format!("\n{peaks}\n");
     text += &format!("\nforward\n{}", table(&benchmark.forward_kernels));
     if benchmark.forward_backward_s.is_some() {
         text += &format!("\nforward and backward\n{}", table(&benchmark.kernels));

@@ -253,7 +253,7 @@ mod tests {
             ),
             (
                 "error: could not compile `kernels` (lib)\n\nCaused by:\n  rustc (signal: 6, SIGABRT)\n",
-                "in `peak_read`: the compiler crashes; leave out parts",
+                "in `count_fill`: the compiler crashes; leave out parts",
             ),
             (
                 "error: internal compiler error: raw_eq must be overridden\n",
@@ -262,7 +262,7 @@ mod tests {
         ] {
             let message = explain(
                 said,
-                Some("peak_read").filter(|_| said.contains("signal")),
+                Some("count_fill").filter(|_| said.contains("signal")),
                 folder.path(),
                 "src",
             );

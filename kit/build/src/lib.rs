@@ -86,7 +86,7 @@ enum Task {
     Kernels(Options),
     /// Compare each kernel on every device with the CPU and with its equations
     Parity(More),
-    /// Measure each kernel, beside what the device could compute and read
+    /// Measure each kernel
     Bench(More),
 }
 

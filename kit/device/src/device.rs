@@ -8,8 +8,6 @@ use std::time::{Duration, Instant};
 
 use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, EntryPoint, Items, KernelInfo};
 
-use muslin_kernel::work::Work;
-
 use crate::buffer::{Count, Host, RawBuffer};
 use crate::job::{MAX_WORKGROUPS, Workgroups, workgroups_for};
 use crate::{Error, Result, cpu, gpu, plan};
@@ -28,7 +26,7 @@ use crate::{Error, Result, cpu, gpu, plan};
 pub struct Device {
     pub(crate) kind: DeviceKind,
     choice: String,
-    /// Whether dispatches are timed on a GPU, and their work is counted.
+    /// Whether dispatches are timed on a GPU.
     times: AtomicBool,
     /// Whether the host must wait for a GPU's dispatches to time them.
     waits: AtomicBool,
@@ -181,10 +179,6 @@ impl Device {
         let uniform = self.fill_in(kernel.uniform(), counts);
         let uniform = &*uniform;
         let times = self.times.load(Ordering::Relaxed);
-        let work = || match times {
-            true => info.work(uniform, &elements(info, &buffers), workgroups[2]),
-            false => Work::default(),
-        };
         match &self.kind {
             DeviceKind::Cpu(cpu) => {
                 let start = Instant::now();
@@ -192,7 +186,7 @@ impl Device {
                 let result = cpu.dispatch(info, uniform, &buffers, size);
                 // the device's time
                 let time = start.elapsed() / cpu::Cpu::concurrent_threads();
-                self.timings.add(info.name, 1, time, work());
+                self.timings.add(info.name, 1, time);
                 result
             }
             DeviceKind::Gpu(gpu) if times && self.waits.load(Ordering::Relaxed) => {
@@ -201,14 +195,14 @@ impl Device {
                 let start = Instant::now();
                 gpu.dispatch(info, uniform, counts, &buffers, workgroups)?;
                 gpu.wait()?;
-                self.timings.add(info.name, 1, start.elapsed(), work());
+                self.timings.add(info.name, 1, start.elapsed());
                 Ok(())
             }
             DeviceKind::Gpu(gpu) => {
                 gpu.dispatch(info, uniform, counts, &buffers, workgroups)?;
                 if times {
                     // its time is known later
-                    self.timings.add(info.name, 1, Duration::ZERO, work());
+                    self.timings.add(info.name, 1, Duration::ZERO);
                 }
                 Ok(())
             }
@@ -241,10 +235,9 @@ impl Device {
         }
     }
 
-    /// Whether numbers should stay on the device: on a GPU, reading them means waiting. If dispatches are timed, they
-    /// are read, because their work is counted with them.
+    /// Whether numbers should stay on the device: on a GPU, reading them means waiting.
     pub fn has_indirect_counts(&self) -> bool {
-        !matches!(self.kind, DeviceKind::Cpu(_)) && !self.times.load(Ordering::Relaxed)
+        !matches!(self.kind, DeviceKind::Cpu(_))
     }
 
     /// Runs `work`, which dispatches many kernels. On a CPU it runs in the kernels' thread pool, which is cheaper.
@@ -365,8 +358,7 @@ impl Device {
         }
     }
 
-    /// Turns timing on or off: of a GPU's dispatches, and the counting of every device's [`Work`]. The CPU's times
-    /// are always measured. A GPU writes timestamps, so nothing waits. On a GPU without timestamps, the host waits
+    /// Turns timing of a GPU's dispatches on or off. The CPU's times are always measured. A GPU writes timestamps, so nothing waits. On a GPU without timestamps, the host waits
     /// for each dispatch: a time then includes the way to the device and back, and everything takes longer.
     pub fn time_dispatches(&self, times: bool) {
         if let DeviceKind::Gpu(gpu) = &self.kind {
@@ -382,7 +374,7 @@ impl Device {
     pub fn take_timings(&self) -> Vec<KernelTime> {
         if let DeviceKind::Gpu(gpu) = &self.kind {
             for (kernel, time) in gpu.take_times() {
-                self.timings.add(kernel, 0, time, Work::default());
+                self.timings.add(kernel, 0, time);
             }
         }
         self.timings.take()
@@ -528,8 +520,6 @@ pub struct KernelTime {
     pub dispatches: u64,
     /// Time of all dispatches, in seconds.
     pub seconds: f64,
-    /// Operations and bytes of all dispatches, if they were counted.
-    pub work: Work,
 }
 
 /// The costs of kernels, by name.
@@ -542,13 +532,12 @@ impl Timings {
     }
 
     /// Adds dispatches, or what is known later of some that were counted before.
-    pub fn add(&self, kernel: &'static str, dispatches: u64, time: Duration, work: Work) {
-        let none = KernelTime { kernel, dispatches: 0, seconds: 0.0, work: Work::default() };
+    pub fn add(&self, kernel: &'static str, dispatches: u64, time: Duration) {
+        let none = KernelTime { kernel, dispatches: 0, seconds: 0.0 };
         let mut kernels = self.kernels();
         let total = kernels.entry(kernel).or_insert(none);
         total.dispatches += dispatches;
         total.seconds += time.as_secs_f64();
-        total.work += work;
     }
 
     /// Returns all costs, and forgets them.

@@ -12,7 +12,6 @@ use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Packed, Read, Shared, Write};
 pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
 pub use crate::stop::Scope;
-use crate::work::{Shape, Work, WorkOf};
 
 /// The way in which a kernel uses a binding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -148,8 +147,6 @@ pub struct KernelInfo {
     /// The second entry point of a kernel with shared tiles or sums: the variant, in which tiles are in workgroup memory, and sums are
     /// integers of 64 bits.
     pub variant: Option<EntryPoint>,
-    /// Counts the work of a dispatch, if the kernel declares it.
-    pub work: Option<WorkOf>,
     /// What a dispatch runs over, if the kernel declares it.
     pub over: Option<OverOf>,
     /// The CPU execution.
@@ -171,13 +168,6 @@ impl KernelInfo {
     /// The plain entry point.
     pub const fn plain(&self) -> EntryPoint {
         EntryPoint { name: self.name, shared: self.shared, sums: &[] }
-    }
-
-    /// The work of a dispatch, given its parameters' bytes, the number of elements of its storage buffers, and its
-    /// workgroups along z. Zero if the kernel is not counted.
-    pub fn work(&self, uniform: &[u8], elements: &[u64], workgroups_z: u32) -> Work {
-        let shape = Shape { elements, workgroups_z: u64::from(workgroups_z) };
-        self.work.map_or_else(Work::default, |work| work(uniform, shape))
     }
 
     /// The source file with a name that does not depend on the machine: relative to the workspace, or

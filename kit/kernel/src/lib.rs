@@ -70,7 +70,6 @@ pub mod lane;
 pub mod lane_vec4;
 pub mod math;
 pub mod memory;
-pub mod peak;
 #[cfg(not(target_arch = "spirv"))]
 mod phase;
 pub mod prelude;
@@ -89,8 +88,6 @@ mod wide;
 mod wide_samples;
 #[cfg(all(not(target_arch = "spirv"), target_arch = "x86_64"))]
 mod wide_vectors;
-#[cfg(not(target_arch = "spirv"))]
-pub mod work;
 #[cfg(not(target_arch = "spirv"))]
 pub mod workgroup;
 #[cfg(not(target_arch = "spirv"))]

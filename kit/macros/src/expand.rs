@@ -235,7 +235,6 @@ fn info(kernel: &Kernel) -> TokenStream {
     let Attribute { fused, z_serial, z_innermost, .. } = &kernel.attribute;
     let each = each(kernel);
     let limit = limit(kernel);
-    let work = work(kernel);
     let over = over(kernel);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
@@ -257,7 +256,6 @@ fn info(kernel: &Kernel) -> TokenStream {
                 bindings: &[#(#bindings),*],
                 shared: &#shared,
                 variant: #variant,
-                work: #work,
                 over: #over,
                 run: run(),
                 run_variant: #run_variant,
@@ -288,20 +286,6 @@ fn limit(kernel: &Kernel) -> Option<TokenStream> {
          work over dispatches"
     );
     Some(quote!(::core::assert!((#iterations) <= ::muslin::MAX_ITERATIONS, #message);))
-}
-
-/// The function that counts a dispatch's work: the declared function, of the parameters' bytes.
-fn work(kernel: &Kernel) -> TokenStream {
-    let (Some(count), Some(Parameter { element, .. })) = (&kernel.work, kernel.uniform()) else {
-        return quote!(::core::option::Option::None);
-    };
-    quote! {{
-        fn work(uniform: &[u8], shape: ::muslin::work::Shape<'_>) -> ::muslin::work::Work {
-            let params = ::muslin::dependencies::bytemuck::pod_read_unaligned::<#element>(uniform);
-            #count(&params, shape)
-        }
-        ::core::option::Option::Some(work)
-    }}
 }
 
 /// The function that says what a dispatch runs over: in the declared sizes, the parameters and the lengths of buffers have their names.

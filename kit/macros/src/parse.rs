@@ -7,7 +7,7 @@ use syn::meta::ParseNestedMeta;
 use syn::parse::{Parse, Parser};
 use syn::spanned::Spanned;
 use syn::{
-    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, ItemStruct, Pat, Path, PathArguments,
+    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, ItemStruct, Pat, PathArguments,
     PathSegment, Result, Stmt, Type, TypeParamBound, parse_quote,
 };
 
@@ -87,8 +87,6 @@ pub struct Attribute {
     pub iterations: Option<Expr>,
     /// Fields of the uniform buffer whose values only the device can know.
     pub counts: Vec<Ident>,
-    /// The function that counts what a dispatch computes and moves.
-    pub work: Option<Path>,
     /// What a dispatch runs over.
     pub over: Vec<Expr>,
 }
@@ -210,12 +208,6 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
             found.iterations = Some(meta.value()?.parse()?);
             return Ok(());
         }
-        if meta.path.is_ident("work") {
-            let content;
-            syn::parenthesized!(content in meta.input);
-            found.work = Some(content.parse()?);
-            return Ok(());
-        }
         if meta.path.is_ident("lanes") {
             found.lanes = Some(if meta.input.peek(syn::token::Paren) {
                 let content;
@@ -237,8 +229,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
             return Ok(());
         }
         if !meta.path.is_ident("threads") {
-            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `over(items, ..)`, `counts(field, ..)` or \
-                `work(function)`";
+            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `over(items, ..)` or `counts(field, ..)`";
             return Err(meta.error(expected));
         }
         // lengths of workgroup memory are `usize`, and one constant serves both

@@ -1,8 +1,6 @@
 //! Three kernels. Each is an ordinary function: the CPU runs it, and `cargo xtask kernels` compiles it for every GPU.
 #![no_std]
 
-#[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work};
 use muslin::{math, prelude::*};
 
 /// Parameters of all kernels: `pixels` is `side * side`.
@@ -51,15 +49,8 @@ pub fn histogram(
     }
 }
 
-/// Operations and bytes of [`tint`]: `cargo xtask bench` compares it with what the device could.
-#[cfg(not(target_arch = "spirv"))]
-fn tint_work(params: &Picture, _: Shape<'_>) -> Work {
-    let pixels = u64::from(params.pixels);
-    Work { flops: 3 * pixels, bytes: 4 * pixels * NUMBER }
-}
-
 /// With lanes: the CPU computes several pixels at once. `color [3, pixels]`: dark is blue, bright is yellow.
-#[kernel(threads(64), over(params.pixels), lanes(pixels), work(tint_work))]
+#[kernel(threads(64), over(params.pixels), lanes(pixels))]
 pub fn tint<L: Lane>(id: Invocation, params: &Picture, gray: Read<f32>, color: Write<f32>) {
     let index = id.index();
     if index < params.pixels {

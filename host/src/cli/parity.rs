@@ -2,7 +2,6 @@
 
 use std::process::ExitCode;
 
-use clap::ValueEnum;
 use muslin_check::Report;
 use muslin_device::{AdapterInfo, adapters};
 use organza::error::{DeviceError, chain};
@@ -10,7 +9,6 @@ use organza::{DeviceOptions, Error, MODULES, Result, SpirvPath};
 use organza_parity::cases;
 
 use super::console::{Console, print, print_json};
-use super::refuse;
 
 /// The exit code if a kernel is out of tolerance.
 const OUT_OF_TOLERANCE: u8 = 1;
@@ -24,57 +22,35 @@ such as no GPU.
 
 Examples:
   organza parity
-  organza parity --adapter nvidia --json
-  organza parity --backend cpu";
+  organza parity --adapter nvidia --json";
 
 /// Run every kernel on every GPU and compare with the CPU: run this first on a new GPU
 #[derive(Debug, clap::Args)]
 #[command(after_help = NOTES)]
 pub struct Args {
-    /// The device to compare with the CPU: the GPUs, or the CPU itself on a single thread
-    #[arg(long, value_enum, default_value_t)]
-    backend: Backend,
     /// Only use GPUs whose name contains this text [default: all]
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
     /// Print JSON, with the place of each largest difference
     #[arg(long)]
     json: bool,
-    /// Print Markdown
-    #[arg(long, conflicts_with = "json")]
-    markdown: bool,
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
-enum Backend {
-    #[default]
-    Gpu,
-    Cpu,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
     let cpu = organza::open_device(&DeviceOptions::cpu(None))?;
     let mut reports = Vec::new();
     let mut unusable = Vec::new();
-    if args.backend == Backend::Cpu {
-        if args.adapter.is_some() {
-            return refuse("`--adapter` is for GPUs, but `--backend` is cpu");
-        }
-        reports
-            .push(measured(console, "cpu", |done| Ok(Report::run_on_cpu(&cases(), &cpu, done)?))?);
-    } else {
-        for adapter in chosen(args.adapter.as_deref())? {
-            for path in paths(&adapter) {
-                let what = format!("{}, {}", adapter.name, path.as_str());
-                let report = measured(console, &what, |done| {
-                    Ok(Report::run_on_gpu(&cases(), &MODULES, &cpu, &adapter, path, done)?)
-                });
-                match report {
-                    Ok(report) => reports.push(report),
-                    // another GPU may be usable
-                    Err(error @ Error::Device(DeviceError::NoGpu { .. })) => unusable.push(error),
-                    Err(error) => return Err(error),
-                }
+    let cases = cases();
+    for adapter in chosen(args.adapter.as_deref())? {
+        for path in paths(&adapter) {
+            let what = format!("{}, {}", adapter.name, path.as_str());
+            let progress = console.progress(&what, cases.len(), "kernels");
+            let done = |_| progress.advance(1);
+            match Report::run_on_gpu(&cases, &MODULES, &cpu, &adapter, path, done) {
+                Ok(report) => reports.push(report),
+                // another GPU may be usable
+                Err(error @ DeviceError::NoGpu { .. }) => unusable.push(Error::Device(error)),
+                Err(error) => return Err(error.into()),
             }
         }
     }
@@ -86,9 +62,6 @@ pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
     unusable.iter().for_each(|error| console.warn(&chain(error)));
     if args.json {
         print_json(&reports)?;
-    } else if args.markdown {
-        let tables: Vec<_> = reports.iter().map(Report::markdown).collect();
-        print(&tables.concat())?;
     } else {
         let texts: Vec<_> = reports.iter().map(Report::to_string).collect();
         print(&texts.join("\n"))?;
@@ -122,13 +95,4 @@ fn paths(adapter: &AdapterInfo) -> Vec<SpirvPath> {
     } else {
         vec![SpirvPath::Naga]
     }
-}
-
-fn measured(
-    console: Console,
-    what: &str,
-    measure: impl FnOnce(&mut dyn FnMut(&'static str)) -> Result<Report>,
-) -> Result<Report> {
-    let progress = console.progress(what, cases().len(), "kernels");
-    measure(&mut |_| progress.advance(1))
 }

@@ -1,6 +1,6 @@
 //! The results of all cases on one device.
 
-use std::fmt::{self, Write as _};
+use std::fmt;
 
 use serde::Serialize;
 
@@ -10,7 +10,7 @@ use muslin_device::{AdapterInfo, Device, DeviceOptions, Modules, Result, SpirvPa
 /// The results of the cases on a device.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
-    /// The adapter's name, or `cpu`.
+    /// The adapter's name.
     pub adapter: String,
     /// The adapter's driver.
     pub driver: String,
@@ -43,7 +43,7 @@ impl Report {
         cpu: &Device,
         adapter: &AdapterInfo,
         path: SpirvPath,
-        done: impl FnMut(&'static str),
+        mut done: impl FnMut(&'static str),
     ) -> Result<Self> {
         let open = |variants| {
             let adapter = Some(adapter.name.clone());
@@ -57,25 +57,16 @@ impl Report {
             SpirvPath::Passthrough => Rounding::AsWritten,
             SpirvPath::Naga => Rounding::Regrouped,
         };
-        let kernels = rows(cases, cpu, &[&plain, &variants], rounding, done)?;
+        let mut kernels = Vec::new();
+        for case in cases {
+            kernels.push(Row::new(case, &plain, case.measure(cpu, &plain, rounding)?));
+            if case.entry_point(&variants) != case.entry_point(&plain) {
+                kernels.push(Row::new(case, &variants, case.measure(cpu, &variants, rounding)?));
+            }
+            done(case.kernel);
+        }
         let (adapter, driver) = (adapter.name.clone(), adapter.driver.clone());
         Ok(Self { adapter, driver, path: path.as_str(), kernels })
-    }
-
-    /// Runs cases on one thread of the CPU, and on all threads.
-    ///
-    /// # Errors
-    /// Any error of a device.
-    pub fn run_on_cpu(
-        cases: &[Case],
-        cpu: &Device,
-        done: impl FnMut(&'static str),
-    ) -> Result<Self> {
-        let one = Device::open(&DeviceOptions::cpu(Some(1)), Modules::none())?;
-        let kernels = rows(cases, cpu, &[&one], Rounding::AsWritten, done)?;
-        let adapter = "cpu".into();
-        let driver = std::env::consts::ARCH.into();
-        Ok(Self { adapter, driver, path: "one thread", kernels })
     }
 
     /// Whether every kernel is within its tolerance.
@@ -85,46 +76,8 @@ impl Report {
     }
 }
 
-/// Runs each case on the devices. A device is left out for a case if an earlier device had the same entry point.
-fn rows(
-    cases: &[Case],
-    cpu: &Device,
-    devices: &[&Device],
-    rounding: Rounding,
-    mut done: impl FnMut(&'static str),
-) -> Result<Vec<Row>> {
-    let mut rows: Vec<Row> = Vec::new();
-    for case in cases {
-        let first = rows.len();
-        for device in devices {
-            let kernel = case.entry_point(device);
-            if rows[first..].iter().all(|row| row.kernel != kernel) {
-                rows.push(Row::new(case, device, case.measure(cpu, device, rounding)?));
-            }
-        }
-        done(case.kernel);
-    }
-    Ok(rows)
-}
-
 const TITLES: [&str; 7] =
     ["kernel", "values", "absolute", "relative", "ulp", "of allowed", "result"];
-
-impl Report {
-    /// The report in Markdown.
-    #[must_use]
-    pub fn markdown(&self) -> String {
-        let Self { adapter, driver, path, .. } = self;
-        let mut text = format!("\n## {adapter}, {path}\n\n{driver}\n\n");
-        let titles = TITLES.join(" | ");
-        // writing to a String does not fail
-        let _ = writeln!(text, "| {titles} |\n|{}", " --- |".repeat(TITLES.len()));
-        for row in &self.kernels {
-            let _ = writeln!(text, "| {} |", row.cells().join(" | "));
-        }
-        text
-    }
-}
 
 /// The table of the report, followed by its failures.
 impl fmt::Display for Report {

@@ -8,13 +8,12 @@ use libfuzzer_sys::fuzz_target;
 use organza::fuzz::{TARGETS, Target};
 
 mod held;
-mod structure;
 
 static TARGET: OnceLock<(&str, Target)> = OnceLock::new();
 
 fn named() -> (&'static str, Target) {
     let name = std::env::var("ORGANZA_FUZZ").unwrap_or_default();
-    let targets = TARGETS.into_iter().chain([("structure", structure::photograph as Target)]);
+    let targets = TARGETS.into_iter();
     targets.clone().find(|(target, _)| *target == name).unwrap_or_else(|| {
         let names: Vec<_> = targets.map(|(target, _)| target).collect();
         eprintln!("ORGANZA_FUZZ = `{name}`, expected one of {}", names.join(", "));

@@ -15,15 +15,13 @@ seconds=${SECONDS_EACH:-60}
 sanitizer=${SANITIZER:-none}
 toolchain=()
 [[ $sanitizer == none ]] || toolchain=(+nightly)
-# A folder of the corpus for each parser, and photographs that are put together.
+# A folder of the corpus for each parser.
 targets=("$@")
-(( $# )) || targets=($(ls fuzz/corpus) structure)
+(( $# )) || targets=($(ls fuzz/corpus))
 for target in "${targets[@]}"; do
-  folders=("fuzz/found/$target")
-  [[ ! -d fuzz/corpus/$target ]] || folders+=("fuzz/corpus/$target")
   mkdir -p "fuzz/found/$target" "fuzz/artifacts/$target"
   printf '=== %s\n' "$target"
-  ORGANZA_FUZZ=$target cargo "${toolchain[@]}" fuzz run --dev --sanitizer "$sanitizer" parsers "${folders[@]}" -- \
+  ORGANZA_FUZZ=$target cargo "${toolchain[@]}" fuzz run --dev --sanitizer "$sanitizer" parsers "fuzz/found/$target" "fuzz/corpus/$target" -- \
     -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536 \
     -artifact_prefix="fuzz/artifacts/$target/"
 done

@@ -4,5 +4,4 @@ muslin_build::xtask!(
     muslin_language_kernels in "kit/language/kernels",
     sources: ["kit/kernel", "kit/macros", "kit/language/kernels"].map(String::from).into(),
     kernels: "kit/language/compiled".into(),
-    parity: "test --workspace --test parity is_right_on_every_device -- --nocapture",
 );

@@ -5,6 +5,4 @@ muslin_build::xtask!(
     sources: ["kit/kernel", "kit/macros", "shader-crate"].map(String::from).into(),
     kernels: "host/render/kernels".into(),
     wgsl: true,
-    parity: "test --workspace --test kernels is_right_on_every_device -- --nocapture",
-    bench: "run --release -- bench --every-device",
 );

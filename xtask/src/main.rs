@@ -21,7 +21,7 @@ fn main() -> ExitCode {
     let arguments: Vec<_> = env::args_os().skip(1).collect();
     let result = match &arguments[..] {
         [task, folder] if task == "new" && folder != "--help" => new(root, Path::new(folder)),
-        [] => Err("usage: `cargo xtask new FOLDER`, or one of `cargo xtask help`".into()),
+        [] => Err("usage: `cargo xtask new FOLDER`, or `cargo xtask kernels`".into()),
         [task, ..] if task == "new" => {
             Err("usage: `cargo xtask new FOLDER`: it must be new or empty".into())
         }
@@ -67,8 +67,7 @@ fn new(root: &Path, folder: &Path) -> Result<ExitCode, String> {
          cargo test -p picture-kernels   # the kernels as functions, on the CPU\n  \
          cargo test                      # on the CPU in every way that it has\n  \
          cargo xtask kernels             # compiles them for GPUs\n  \
-         cargo test --features gpu       # also on a GPU, in two ways\n  \
-         cargo xtask help                # the other tools"
+         cargo test --features gpu       # also on a GPU, in two ways"
     );
     Ok(ExitCode::SUCCESS)
 }

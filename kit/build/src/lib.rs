@@ -21,10 +21,10 @@ mod validate;
 
 use std::env;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::ExitCode;
 use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::Result;
 use clap::{Args, Parser};
 use muslin_manifest::{set_failure, source_hash};
 
@@ -46,10 +46,6 @@ pub struct Project {
     pub wgsl: bool,
     /// Cargo's target folder.
     pub target: PathBuf,
-    /// Arguments of cargo that run the test which calls `muslin_check::assert_parity`.
-    pub parity: &'static str,
-    /// Arguments of cargo that run the test which calls `muslin_check::bench`.
-    pub bench: &'static str,
 }
 
 impl Project {
@@ -69,8 +65,6 @@ impl Project {
             sources: vec![shader_crate.into()],
             kernels: "compiled".into(),
             wgsl: false,
-            parity: "test --features gpu is_right_on_every_device -- --nocapture",
-            bench: "test --release --features gpu bench -- --ignored --nocapture",
             // Joining an absolute path returns that path.
             target: root.join(target),
             root,
@@ -84,21 +78,9 @@ impl Project {
 enum Task {
     /// Compile the kernels to SPIR-V
     Kernels(Options),
-    /// Compare each kernel on every device with the CPU and with its equations
-    Parity(More),
-    /// Measure each kernel
-    Bench(More),
 }
 
-/// Options of what a tool runs.
-#[derive(Args)]
-struct More {
-    /// More arguments for what it runs
-    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-    more: Vec<String>,
-}
-
-/// The whole xtask of a project: its tools, which `cargo xtask help` lists. The arguments are the crate of kernels, its folder in
+/// The whole xtask of a project: `cargo xtask kernels`. The arguments are the crate of kernels, its folder in
 /// the workspace, and fields of [`Project`] that differ from [`Project::from_xtask`]'s.
 ///
 /// ```ignore
@@ -120,27 +102,14 @@ macro_rules! xtask {
 /// The `main` of an [`xtask`].
 #[must_use]
 pub fn main(project: &Project) -> ExitCode {
-    let result = match Task::parse() {
-        Task::Kernels(options) => run(project, options),
-        Task::Parity(options) => cargo(project, project.parity, &options.more),
-        Task::Bench(options) => cargo(project, project.bench, &options.more),
-    };
-    match result {
+    let Task::Kernels(options) = Task::parse();
+    match run(project, options) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error:#}");
             ExitCode::FAILURE
         }
     }
-}
-
-/// Runs cargo in the workspace, with arguments, and shows what it prints.
-fn cargo(project: &Project, arguments: &str, more: &[String]) -> Result<()> {
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.current_dir(&project.root).args(arguments.split_whitespace()).args(more);
-    let status = cargo.status().context("cannot run cargo")?;
-    ensure!(status.success(), "`cargo {arguments}` failed: {status}");
-    Ok(())
 }
 
 /// Options for compiled kernels.

@@ -15,7 +15,7 @@ use crate::{Case, Report, Rounding, Row};
 /// packages must have a case, and the equations must know most values that it writes: see
 /// [`Parity::COMPARED`](super::Parity::COMPARED).
 ///
-/// It prints a table for each device, which `cargo xtask parity` shows.
+/// It prints a table for each device, which `cargo test -- --nocapture` shows.
 ///
 /// # Panics
 /// If a device is out of a case's tolerance, a kernel makes a mistake, or a kernel has no case. The message has a

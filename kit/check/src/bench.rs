@@ -125,7 +125,8 @@ pub fn seconds(seconds: f64) -> String {
     format!("{seconds:.6}")
 }
 
-/// Runs a pass on the CPU and on each GPU, and prints the time of each of its kernels. Call it in an ignored test with the name `bench`: `cargo xtask bench` runs it. The passes should keep the device busy.
+/// Runs a pass on the CPU and on each GPU, and prints the time of each of its kernels. Call it in
+/// an ignored test. The passes should keep the device busy.
 ///
 /// # Panics
 /// If a pass fails.

@@ -84,7 +84,7 @@ fn every_kernel_is_right_on_every_device() {
 }
 
 #[test]
-#[ignore = "`cargo xtask bench` runs it"]
+#[ignore = "it measures"]
 fn bench() {
     muslin::check::bench::bench(&MODULES, |device| picture(device, 2048).map(drop));
 }

@@ -121,7 +121,8 @@ impl Modules {
     /// [`Error::StaleKernels`] if the kernel has not been compiled yet.
     pub fn find(&'static self, name: &str) -> Result<CompiledKernel> {
         let module = self.table.iter().find(|(found, ..)| *found == name);
-        let module = module.ok_or_else(|| self.stale(format!("`{name}` is not among them")))?;
+        let missing = || Error::StaleKernels { reason: format!("`{name}` is not among them") };
+        let module = module.ok_or_else(missing)?;
         Ok(self.compiled(module))
     }
 
@@ -139,25 +140,15 @@ impl Modules {
         if compiled.entry.package != kernel.package {
             let package = kernel.package;
             let other = &compiled.entry.package;
-            return Err(self.stale(format!(
-                "`{}` of {package} is not among them, only the one of {other}",
-                point.name
-            )));
+            let reason =
+                format!("`{}` of {package} is not among them, only the one of {other}", point.name);
+            return Err(Error::StaleKernels { reason });
         }
         if compiled.entry.interface != Interface::new(kernel, point) {
-            return Err(self.stale(format!("the declaration of `{}` has changed", point.name)));
+            let reason = format!("the declaration of `{}` has changed", point.name);
+            return Err(Error::StaleKernels { reason });
         }
         Ok(compiled)
-    }
-
-    /// The error of modules that are older than the program. It says why there are no newer ones.
-    fn stale(&'static self, reason: String) -> Error {
-        let failure = self.manifest().failure.as_ref().and_then(|failure| failure.lines().next());
-        let reason = match failure {
-            Some(failure) => format!("{reason}, because the sources do not compile: {failure}"),
-            None => reason,
-        };
-        Error::StaleKernels { reason }
     }
 }
 

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-pub use source::{STALE, embed, embed_compiled, locked_version, set_failure, source_hash};
+pub use source::{STALE, embed, embed_compiled, locked_version, source_hash};
 pub use table::{Table, grouped};
 
 /// Version of the manifest's layout that this crate reads and writes.
@@ -65,9 +65,6 @@ pub struct Manifest {
     /// Whether the sources have changed since. Only the build script knows: see [`embed`].
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub is_stale: bool,
-    /// Why the sources, as they are now, did not compile. Only the build script knows, too.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub failure: Option<String>,
 }
 
 /// The compiler that made the modules.
@@ -172,7 +169,6 @@ impl Manifest {
             compiler,
             kernels,
             is_stale: false,
-            failure: None,
         }
     }
 

@@ -97,31 +97,6 @@ fn without_carriage_returns(text: &[u8]) -> Vec<u8> {
     out
 }
 
-/// Name of the file, in the folder of the modules, that says why sources did not compile: after the line with their hash.
-const FAILURE: &str = "failed.txt";
-
-/// Notes why sources of this hash did not compile, beside the modules of older ones; or with `None` that they did.
-///
-/// # Errors
-/// [`Error::Read`] if the folder cannot be written to.
-pub fn set_failure(kernels: &Path, failure: Option<[&str; 2]>) -> Result<(), Error> {
-    let path = kernels.join(FAILURE);
-    let written = match failure {
-        Some([hash, message]) => fs::create_dir_all(kernels)
-            .and_then(|()| fs::write(&path, format!("{hash}\n{message}\n"))),
-        None if path.exists() => fs::remove_file(&path),
-        None => Ok(()),
-    };
-    written.map_err(|reason| Error::Read { path, reason })
-}
-
-/// Why sources of this hash did not compile, if the last compilation was one of them.
-fn failure(kernels: &Path, hash: Option<&str>) -> Option<String> {
-    let text = fs::read_to_string(kernels.join(FAILURE)).ok()?;
-    let (of, message) = text.split_once('\n')?;
-    hash.is_none_or(|hash| hash == of).then(|| message.trim_end().to_owned())
-}
-
 /// What [`Manifest::is_stale`] means, and what to do.
 pub const STALE: &str =
     "the compiled kernels are older than their sources: run `cargo xtask kernels`";
@@ -146,11 +121,8 @@ pub fn embed(kernels: &Path, workspace: &Path) {
         Manifest::empty()
     });
     let hash = hash_now(workspace, &manifest);
-    manifest.is_stale = hash.as_ref().is_some_and(|hash| *hash != manifest.source_hash);
-    manifest.failure = failure(kernels, hash.as_deref());
-    if let Some(failure) = &manifest.failure {
-        println!("cargo::warning=the kernels do not compile: {}", failure.replace('\n', " "));
-    } else if manifest.is_stale {
+    manifest.is_stale = hash.is_some_and(|hash| hash != manifest.source_hash);
+    if manifest.is_stale {
         println!("cargo::warning={STALE}");
     }
     fs::write(out.join("manifest.json"), manifest.to_json()).expect("OUT_DIR is writable");
@@ -243,21 +215,6 @@ mod tests {
         let src = renamed.path().join("shader-crate/src");
         fs::rename(src.join("lib.rs"), src.join("other.rs")).unwrap();
         assert_ne!(base, hash_of(&renamed));
-    }
-
-    #[test]
-    fn a_failure_is_of_the_sources_that_failed() {
-        let root = workspace("a\n", "0.33.0");
-        let folder = root.path().join("compiled");
-        let [old, new] = ["1", "2"];
-        assert_eq!(failure(&folder, Some(new)), None);
-        set_failure(&folder, Some([new, "lib.rs:3: in `blur`: no"])).unwrap();
-        assert_eq!(failure(&folder, Some(old)), None);
-        for hash in [Some(new), None] {
-            assert_eq!(failure(&folder, hash).unwrap(), "lib.rs:3: in `blur`: no");
-        }
-        set_failure(&folder, None).unwrap();
-        assert_eq!(failure(&folder, Some(new)), None);
     }
 
     #[test]

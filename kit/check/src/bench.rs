@@ -83,8 +83,11 @@ fn shares(passes: &[Vec<KernelTime>]) -> Vec<KernelShare> {
     }
     let mut shares: Vec<_> = times
         .into_iter()
-        .map(|(name, (dispatches, seconds))| {
-            KernelShare { name, dispatches, seconds: median(seconds), share: 0.0 }
+        .map(|(name, (dispatches, seconds))| KernelShare {
+            name,
+            dispatches,
+            seconds: median(seconds),
+            share: 0.0,
         })
         .collect();
     let all: f64 = shares.iter().map(|kernel| kernel.seconds).sum();

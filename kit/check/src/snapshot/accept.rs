@@ -73,8 +73,9 @@ impl Snapshots {
         let text = tensors.to_string();
         let compare = |accepted: &SnapshotContents| match accepted {
             // as far as the text has digits
-            SnapshotContents::Text(accepted) => tolerance
-                .compare(&Tensors::parse(&accepted.to_string())?, &Tensors::parse(&text)?),
+            SnapshotContents::Text(accepted) => {
+                tolerance.compare(&Tensors::parse(&accepted.to_string())?, &Tensors::parse(&text)?)
+            }
             SnapshotContents::Binary(_) => Err("the accepted snapshot is a picture".to_owned()),
         };
         self.assert(name, device, compare, || (self.text)(name[0], &text));
@@ -84,13 +85,7 @@ impl Snapshots {
     ///
     /// # Panics
     /// If a pixel differs by more than rounding explains.
-    pub fn assert_picture(
-        &self,
-        name: [&str; 2],
-        device: &str,
-        colors: &[f32],
-        montage: Montage,
-    ) {
+    pub fn assert_picture(&self, name: [&str; 2], device: &str, colors: &[f32], montage: Montage) {
         let level = |value: &f32| (value.clamp(0.0, 1.0) * 255.0).round() as u8;
         let levels: Vec<u8> = colors.iter().map(level).collect();
         let found: RgbImage = montage.draw(&levels);

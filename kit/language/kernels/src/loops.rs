@@ -13,13 +13,7 @@ pub struct LoopParams {
 
 /// `output [8, count]`: what loops leave behind, of `a` and `b`, both `[count]` and below 8.
 #[kernel(threads(64), over(params.count), iterations = 120)]
-pub fn loops(
-    id: Invocation,
-    params: &LoopParams,
-    a: Read<u32>,
-    b: Read<u32>,
-    output: Write<u32>,
-) {
+pub fn loops(id: Invocation, params: &LoopParams, a: Read<u32>, b: Read<u32>, output: Write<u32>) {
     let index = id.index();
     if index < params.count {
         let [a, b] = [a.read(index), b.read(index)];

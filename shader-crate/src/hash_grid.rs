@@ -304,14 +304,6 @@ fn read_split<L: Lane>(buffer: Read<f32>, stride: u32, coarse: u32) -> Split<L> 
     Split { coarse: L::read(buffer, coarse), fine: L::read(buffer, coarse + 3 * stride) }
 }
 
-/// Bytes of a point: coarse and fine parts.
-#[cfg(not(target_arch = "spirv"))]
-pub(crate) const POINT: u64 = 6 * NUMBER;
-
-/// Operations that place a point in a level: 9 an axis, and 15 for the weights of eight corners.
-#[cfg(not(target_arch = "spirv"))]
-pub(crate) const CELL: u64 = 3 * 9 + 15;
-
 /// Writes the features of every (point, level): points along x and y, levels along z.
 ///
 /// `position [chunks, point_rows, stride]`, see [`write_point`]; `table [entries, features]`;

@@ -3,8 +3,6 @@
 //! Many points share an entry. Their terms are summed in 64-bit [fixed point](muslin::fixed), so the order and the number
 //! of threads change no bit. [`hash_grid_scale`](crate::hash_grid_scale) chooses the unit.
 
-#[cfg(not(target_arch = "spirv"))]
-use crate::hash_grid::CELL;
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, value_at};
 use crate::hash_grid_scale::{INVERSE, LIMIT, SCALE, STATUS_LIMIT};
 use crate::limits::MAX_FEATURES;

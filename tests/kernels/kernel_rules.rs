@@ -1,10 +1,7 @@
 //! Checks that kernels follow the rules of docs/kernels.md, and that the traps described there still exist.
 
-use std::cell::Cell;
-use std::panic::{self, UnwindSafe};
+use std::fs;
 use std::path::Path;
-use std::sync::Once;
-use std::{fs, thread};
 
 use muslin::kernel::CpuRun;
 use muslin::{EntryPoint, KernelInfo, kernels as declared};
@@ -15,24 +12,6 @@ use rspirv::binary::Assemble;
 use rspirv::dr::{Instruction, Module, Operand, load_words};
 use rspirv::spirv::{Decoration, Op, StorageClass};
 use wgpu::naga;
-
-/// Runs code that panics, without printing the panic. Panics in other tests' threads are still printed.
-fn silently<R>(run: impl FnOnce() -> R + UnwindSafe) -> thread::Result<R> {
-    thread_local!(static SILENT: Cell<bool> = const { Cell::new(false) });
-    static HOOK: Once = Once::new();
-    HOOK.call_once(|| {
-        let hook = panic::take_hook();
-        panic::set_hook(Box::new(move |panic| {
-            if !SILENT.get() {
-                hook(panic);
-            }
-        }));
-    });
-    SILENT.set(true);
-    let result = panic::catch_unwind(run);
-    SILENT.set(false);
-    result
-}
 
 fn page(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs").join(name);
@@ -178,13 +157,6 @@ fn naga_drops_no_contraction() {
         !is_decorated(&loaded(&written)),
         "naga keeps it now: docs/kernels.md, docs/correctness.md"
     );
-}
-
-/// The trap: Rust-GPU's own library panics on a CPU.
-#[test]
-fn barriers_of_spirv_std_panic_on_the_cpu() {
-    let barrier = silently(spirv_std::arch::workgroup_memory_barrier_with_group_sync);
-    assert!(barrier.is_err(), "it works now: docs/kernels.md");
 }
 
 /// The trap: llvmpipe silently ends an invocation after 65,536 iterations.

@@ -1,10 +1,9 @@
-//! Integer atomics, on storage buffers and workgroup memory of `u32` and `i32`. All return the old value.
+//! Integer atomics, on storage buffers and workgroup memory of `u32`. All return the old value.
 //!
 //! | method of `Write` and `Shared` | new value of the element | |
 //! | --- | --- | --- |
 //! | `atomic_add(index, value)` | the sum, modulo 2^32 | does not depend on the order |
 //! | `atomic_min(index, value)`, `atomic_max(index, value)` | the smaller, the larger | does not depend on the order |
-//! | `atomic_exchange(index, value)` | `value` | |
 //! | `atomic_load(index)` | unchanged | |
 //!
 //! Where the table says so, the resulting element does not depend on the order of the invocations. The *returned*
@@ -23,7 +22,7 @@ use spirv_std::arch::IndexUnchecked;
 use spirv_std::memory::{Scope, Semantics};
 
 #[cfg(not(target_arch = "spirv"))]
-use core::sync::atomic::{AtomicI32, AtomicU32, AtomicU64, Ordering};
+use core::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 #[cfg(not(target_arch = "spirv"))]
 use crate::memory::Shared;
@@ -41,26 +40,24 @@ const NO_ORDER: u32 = Semantics::NONE.bits();
 /// The atomics of a buffer, or of an array in workgroup memory: see the [module](self).
 #[cfg(target_arch = "spirv")]
 #[allow(missing_docs)]
-pub trait AtomicBuffer<T> {
-    fn atomic_add(&mut self, index: u32, value: T) -> T;
-    fn atomic_min(&mut self, index: u32, value: T) -> T;
-    fn atomic_max(&mut self, index: u32, value: T) -> T;
-    fn atomic_exchange(&mut self, index: u32, value: T) -> T;
-    fn atomic_load(&mut self, index: u32) -> T;
+pub trait AtomicBuffer {
+    fn atomic_add(&mut self, index: u32, value: u32) -> u32;
+    fn atomic_min(&mut self, index: u32, value: u32) -> u32;
+    fn atomic_max(&mut self, index: u32, value: u32) -> u32;
+    fn atomic_load(&mut self, index: u32) -> u32;
 }
 
 /// The atomics of a GPU.
 #[cfg(target_arch = "spirv")]
 macro_rules! device_atomics {
-    ([$($generics:tt)*] $buffer:ty, $element:ty, $min:ident, $max:ident) => {
-        impl<$($generics)*> AtomicBuffer<$element> for $buffer {
-            device_atomics!(method $element, atomic_add, atomic_i_add);
-            device_atomics!(method $element, atomic_min, $min);
-            device_atomics!(method $element, atomic_max, $max);
-            device_atomics!(method $element, atomic_exchange, atomic_exchange);
+    ([$($generics:tt)*] $buffer:ty) => {
+        impl<$($generics)*> AtomicBuffer for $buffer {
+            device_atomics!(method atomic_add, atomic_i_add);
+            device_atomics!(method atomic_min, atomic_u_min);
+            device_atomics!(method atomic_max, atomic_u_max);
 
             #[inline(always)]
-            fn atomic_load(&mut self, index: u32) -> $element {
+            fn atomic_load(&mut self, index: u32) -> u32 {
                 // SAFETY: the CPU run checks the index
                 unsafe {
                     let at = self.index_unchecked_mut(index as usize);
@@ -69,9 +66,9 @@ macro_rules! device_atomics {
             }
         }
     };
-    (method $element:ty, $name:ident, $operation:ident) => {
+    (method $name:ident, $operation:ident) => {
         #[inline(always)]
-        fn $name(&mut self, index: u32, value: $element) -> $element {
+        fn $name(&mut self, index: u32, value: u32) -> u32 {
             // SAFETY: the CPU run checks the index
             unsafe {
                 let at = self.index_unchecked_mut(index as usize);
@@ -82,54 +79,45 @@ macro_rules! device_atomics {
 }
 
 #[cfg(target_arch = "spirv")]
-device_atomics!([][u32], u32, atomic_u_min, atomic_u_max);
+device_atomics!([][u32]);
 #[cfg(target_arch = "spirv")]
-device_atomics!([][i32], i32, atomic_s_min, atomic_s_max);
-#[cfg(target_arch = "spirv")]
-device_atomics!([const N: usize] [u32; N], u32, atomic_u_min, atomic_u_max);
-#[cfg(target_arch = "spirv")]
-device_atomics!([const N: usize] [i32; N], i32, atomic_s_min, atomic_s_max);
+device_atomics!([const N: usize] [u32; N]);
 
 /// The atomics of the CPU. `$view` is the buffer of a `self`.
 #[cfg(not(target_arch = "spirv"))]
 macro_rules! host_atomics {
-    ([$($generics:tt)*] $buffer:ty, $element:ty, $atomic:ty, $self:ident => $view:expr) => {
+    ([$($generics:tt)*] $buffer:ty, $self:ident => $view:expr) => {
         impl<$($generics)*> $buffer {
-            host_atomics!(method $element, $atomic, $self => $view, atomic_add, fetch_add, "Adds `value` at `index`, modulo 2^32.");
-            host_atomics!(method $element, $atomic, $self => $view, atomic_min, fetch_min, "Lowers what is at `index` to `value`.");
-            host_atomics!(method $element, $atomic, $self => $view, atomic_max, fetch_max, "Raises what is at `index` to `value`.");
-            host_atomics!(method $element, $atomic, $self => $view, atomic_exchange, swap, "Stores `value` at `index`.");
+            host_atomics!(method $self => $view, atomic_add, fetch_add, "Adds `value` at `index`, modulo 2^32.");
+            host_atomics!(method $self => $view, atomic_min, fetch_min, "Lowers what is at `index` to `value`.");
+            host_atomics!(method $self => $view, atomic_max, fetch_max, "Raises what is at `index` to `value`.");
 
             /// The value at `index`. Panics if `index` is out of range.
             #[inline(always)]
             #[track_caller]
-            pub fn atomic_load(&$self, index: u32) -> $element {
+            pub fn atomic_load(&$self, index: u32) -> u32 {
                 // SAFETY: as in the others
-                unsafe { <$atomic>::from_ptr($view.address(index, Touch::Atomic)) }.load(Ordering::Relaxed)
+                unsafe { AtomicU32::from_ptr($view.address(index, Touch::Atomic)) }.load(Ordering::Relaxed)
             }
         }
     };
-    (method $element:ty, $atomic:ty, $self:ident => $view:expr, $name:ident, $operation:ident, $doc:literal) => {
+    (method $self:ident => $view:expr, $name:ident, $operation:ident, $doc:literal) => {
         #[doc = $doc]
         /// Returns the old value. Panics if `index` is out of range.
         #[inline(always)]
         #[track_caller]
-        pub fn $name(&$self, index: u32, value: $element) -> $element {
+        pub fn $name(&$self, index: u32, value: u32) -> u32 {
             // SAFETY: the address is in range and aligned. Kernels touch such an element only through atomics, which
             // the CPU run with `check_races` checks.
-            unsafe { <$atomic>::from_ptr($view.address(index, Touch::Atomic)) }.$operation(value, Ordering::Relaxed)
+            unsafe { AtomicU32::from_ptr($view.address(index, Touch::Atomic)) }.$operation(value, Ordering::Relaxed)
         }
     };
 }
 
 #[cfg(not(target_arch = "spirv"))]
-host_atomics!(['a] Write<'a, u32>, u32, AtomicU32, self => self);
+host_atomics!(['a] Write<'a, u32>, self => self);
 #[cfg(not(target_arch = "spirv"))]
-host_atomics!(['a] Write<'a, i32>, i32, AtomicI32, self => self);
-#[cfg(not(target_arch = "spirv"))]
-host_atomics!(['a, const N: usize] Shared<'a, u32, N>, u32, AtomicU32, self => self.0);
-#[cfg(not(target_arch = "spirv"))]
-host_atomics!(['a, const N: usize] Shared<'a, i32, N>, i32, AtomicI32, self => self.0);
+host_atomics!(['a, const N: usize] Shared<'a, u32, N>, self => self.0);
 
 /// Adds `value` at `index`, and returns the old value. Sums of integers do not depend on the order.
 #[inline(always)]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fmt, fs};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use muslin_manifest::FILE_NAME;
 
 /// The compiled kernels and their manifest, by file name.
@@ -32,34 +32,6 @@ impl Artifacts {
             changed += usize::from(replace(&folder.join(name), contents)?);
         }
         Ok(changed)
-    }
-
-    /// Fails with a list of differences if a folder has other content.
-    pub fn check(&self, folder: &Path) -> Result<()> {
-        let mut differences = Vec::new();
-        for name in stale(self, folder)? {
-            differences.push(format!("{name}: belongs to no kernel"));
-        }
-        for (name, contents) in &self.0 {
-            match fs::read(folder.join(name)) {
-                Err(_) => differences.push(format!("{name}: missing")),
-                Ok(found) if &found == contents => {}
-                Ok(found) => {
-                    differences.push(difference(name, &found, contents));
-                    if name == FILE_NAME {
-                        differences.extend(changed_lines(&found, contents));
-                    }
-                }
-            }
-        }
-        if !differences.is_empty() {
-            bail!(
-                "{} is not what the sources give (`cargo xtask kernels` makes it so):\n  {}",
-                folder.display(),
-                differences.join("\n  ")
-            );
-        }
-        Ok(())
     }
 }
 
@@ -112,24 +84,6 @@ fn replace(path: &Path, contents: &[u8]) -> Result<bool> {
     Ok(true)
 }
 
-fn difference(name: &str, found: &[u8], want: &[u8]) -> String {
-    let at = found.iter().zip(want).take_while(|(a, b)| a == b).count();
-    let found = found.len();
-    let want = want.len();
-    format!("{name}: differs from byte {at} on ({found} bytes there, {want} from the sources)")
-}
-
-/// The first lines of a manifest that differ. The compiler and the hash of the sources are among the first of all.
-fn changed_lines(found: &[u8], want: &[u8]) -> Vec<String> {
-    let [found, want] = [found, want].map(String::from_utf8_lossy);
-    let lines = found.lines().map(str::trim).zip(want.lines().map(str::trim)).zip(1..);
-    let changed = lines.filter(|((found, want), _)| found != want).take(4);
-    let describe = |((found, want), number): (_, u32)| {
-        format!("{FILE_NAME}:{number}: `{found}` there, `{want}` from the sources")
-    };
-    changed.map(describe).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -152,28 +106,6 @@ mod tests {
         let new = artifacts(&[("a.spv", b"1"), ("c.spv", b"3")]);
         assert_eq!(new.write(folder.path()).unwrap(), 3);
         assert!(!folder.path().join("b.spv").exists());
-        new.check(folder.path()).unwrap();
-    }
-
-    #[test]
-    fn checking_lists_every_difference_and_changes_nothing() {
-        let folder = tempfile::tempdir().unwrap();
-        artifacts(&[("a.spv", b"1"), ("b.spv", b"2")]).write(folder.path()).unwrap();
-        let new = artifacts(&[("a.spv", b"9"), ("c.spv", b"3")]);
-        let error = new.check(folder.path()).unwrap_err().to_string();
-        for line in ["a.spv: differs", "b.spv: belongs to no kernel", "c.spv: missing"] {
-            assert!(error.contains(line), "{error}");
-        }
-        assert_eq!(fs::read(folder.path().join("a.spv")).unwrap(), b"1");
-    }
-
-    #[test]
-    fn the_compilers_versions_are_part_of_the_check() {
-        let newer = Compiler { rustc: "2.0.0".into(), ..Compiler::default() };
-        let found = Manifest::empty().to_json();
-        let want = Manifest::new(Vec::new(), String::new(), newer, Vec::new()).to_json();
-        let lines = changed_lines(found.as_bytes(), want.as_bytes());
-        let line = r#"manifest.json:7: `"rustc": "",` there, `"rustc": "2.0.0",` from the sources"#;
-        assert_eq!(lines, [line]);
+        assert_eq!(fs::read(folder.path().join("c.spv")).unwrap(), b"3");
     }
 }

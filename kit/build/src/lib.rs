@@ -114,21 +114,17 @@ pub fn main(project: &Project) -> ExitCode {
 /// Options for compiled kernels.
 #[derive(Args)]
 struct Options {
-    /// Compile and compare with the folder of modules instead of writing there: fails on any difference
-    #[arg(long)]
-    check: bool,
     /// Check each module against the SPIR-V specification with `spirv-val`
     #[arg(long)]
     validate: bool,
 }
 
-/// Compiles the kernels of a project, and writes or checks its modules.
+/// Compiles the kernels of a project, and writes its modules.
 fn run(project: &Project, options: Options) -> Result<()> {
     let start = Instant::now();
     isolate();
     let compiler = Compiler::find(&project.root.join(&project.shader_crate))?;
     eprintln!("compiling the kernels with {compiler}");
-    let folder = project.root.join(&project.kernels);
     let artifacts = compile(project, &compiler)?;
     let seconds = start.elapsed().as_secs_f64();
     println!("{artifacts}");
@@ -136,12 +132,7 @@ fn run(project: &Project, options: Options) -> Result<()> {
         validate::run(&artifacts)?;
     }
     let kernels = &project.kernels;
-    if options.check {
-        artifacts.check(&folder)?;
-        println!("{kernels} is what the sources give (compiled in {seconds:.1} s)");
-    } else {
-        let changed = artifacts.write(&folder)?;
-        println!("{kernels}: {changed} files changed (compiled in {seconds:.1} s)");
-    }
+    let changed = artifacts.write(&project.root.join(kernels))?;
+    println!("{kernels}: {changed} files changed (compiled in {seconds:.1} s)");
     Ok(())
 }

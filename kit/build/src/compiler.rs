@@ -291,7 +291,7 @@ fn build(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String, Vec<
     let said = String::from_utf8_lossy(&output.stderr);
     if !output.status.success() {
         let crashed = unwritten(project, start).filter(|_| said.contains("(signal: "));
-        bail!("{}", errors::explain(&said, crashed, &project.root, &project.shader_crate));
+        bail!("{}", errors::explain(&said, crashed, &project.root));
     }
     // warnings of the kernels' crate
     said.split_inclusive('\n')

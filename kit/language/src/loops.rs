@@ -32,7 +32,7 @@ impl Parity for Loops {
                 let rounds = (0..n).take_while(|k| sum + k * b < 40).count() as u32;
                 sum + rounds * (b + 1)
             }),
-            5 => 7 + b * [4, 2, 2, 1][a as usize % 4],
+            5 => 7 + b * [3, 2, 2, 1][a as usize % 4],
             6 => 7 + (1..=a).map(|n| 60 / (b + n)).sum::<u32>(),
             _ => 7 + (0..a).flat_map(|n| (n..b).map(move |k| n + 10 * k)).sum::<u32>(),
         };

@@ -14,8 +14,8 @@ use super::console::{Console, print, print_json};
 const OUT_OF_TOLERANCE: u8 = 1;
 
 const NOTES: &str = "\
-Columns: the largest absolute, relative and ULP (units in the last place) difference from the CPU, and
-how much of what its equation allows (docs/correctness.md) the worst value uses. Integers must be equal.
+Columns: the largest difference from the CPU, and how much of what its equation allows
+(docs/correctness.md) the worst value uses. Integers must be equal.
 
 Exit code: 0; 1 if a kernel is out of tolerance; 2, with a message on stderr, after any other error,
 such as no GPU.

@@ -39,7 +39,6 @@ const NOT_A_NUMBER: u8 = 0xff;
 pub struct Cpu {
     pub(crate) pool: rayon::ThreadPool,
     pub(crate) check_races: bool,
-    pub(crate) check_nan: bool,
     pub(crate) thorough: Option<u64>,
     pub(crate) flush_denormals: bool,
     /// Whether kernels run as their variants.
@@ -50,7 +49,7 @@ pub struct Cpu {
 
 impl Cpu {
     pub fn new(options: &DeviceOptions) -> Result<Self> {
-        let DeviceOptions { threads, check_races, check_nan, instruction_set, .. } = *options;
+        let DeviceOptions { threads, check_races, instruction_set, .. } = *options;
         // a monitor handles one invocation at a time
         let best = if check_races { InstructionSet::Scalar } else { InstructionSet::best() };
         let instruction_set = instruction_set.unwrap_or(best);
@@ -71,7 +70,6 @@ impl Cpu {
         Ok(Self {
             pool,
             check_races,
-            check_nan,
             thorough: options.thorough,
             flush_denormals: options.flush_denormals,
             variants,

@@ -198,7 +198,7 @@ impl Cpu {
         monitors: &[Option<Monitor<'_>>],
     ) -> Result<(), String> {
         let bindings = info.bindings.iter().zip(bindings).zip(monitors);
-        for ((info, binding), monitor) in bindings.filter(|_| self.check_nan) {
+        for ((info, binding), monitor) in bindings {
             let Some(Monitor::Written(races)) = monitor else { continue };
             // SAFETY: the buffer's bytes; the dispatch is over, so nothing writes them
             let data = unsafe { std::slice::from_raw_parts(binding.data, binding.bytes) };

@@ -73,11 +73,8 @@ pub struct DeviceOptions {
     pub place: usize,
     /// Whether the CPU fails if two invocations of a dispatch conflict in a storage buffer, or if a kernel reads an
     /// [unwritten](crate::Device::unwritten) element. For tests of kernels: it is slow, and takes 24 bytes for every element
-    /// that a kernel may write.
+    /// that a kernel may write. It also fails if a kernel writes NaN to `f32` or vectors of them, even to elements that are never read.
     pub check_races: bool,
-    /// With [`check_races`](Self::check_races), whether to fail if a kernel writes NaN to `f32` or vectors of them,
-    /// even to elements that are never read.
-    pub check_nan: bool,
     /// Whether [`Device::run`](crate::Device::run) and [`Device::run_over`](crate::Device::run_over) start one workgroup more than needed along x, and along y if
     /// there is a size. For tests of kernels: the additional invocations must do nothing.
     pub extra_workgroup: bool,
@@ -112,10 +109,10 @@ impl DeviceOptions {
     }
 
     /// The CPU for tests of kernels: it [looks for races](Self::check_races), for reads of unwritten elements and for
-    /// [NaN](Self::check_nan), and runs [one workgroup more](Self::extra_workgroup) than needed.
+    /// NaN, and runs [one workgroup more](Self::extra_workgroup) than needed.
     #[must_use]
     pub fn checked() -> Self {
-        Self { check_races: true, check_nan: true, extra_workgroup: true, ..Self::cpu(None) }
+        Self { check_races: true, extra_workgroup: true, ..Self::cpu(None) }
     }
 
     /// Like [`checked`](Self::checked), for all that takes several times as long: see [`thorough`](Self::thorough). Each seed is
@@ -147,7 +144,6 @@ setters! {
     adapter: impl Into<Option<String>>,
     place: usize,
     check_races: bool,
-    check_nan: bool,
     extra_workgroup: bool,
     flush_denormals: bool,
     instruction_set: impl Into<Option<InstructionSet>>,

@@ -42,6 +42,15 @@ impl Capacity {
         slots
     }
 
+    /// The larger room for each number.
+    pub fn max(self, other: Self) -> Self {
+        Self {
+            pairs: self.pairs.max(other.pairs),
+            intersections: self.intersections.max(other.intersections),
+            samples: self.samples.max(other.samples),
+        }
+    }
+
     /// Room for both.
     pub(crate) fn plus(self, other: Self) -> Self {
         Self {

@@ -340,9 +340,7 @@ fn measure(
         for camera in cameras {
             let found = renderer.capacities(scene, &camera.with_size(size), SIDE, &STEPS)?;
             for (max, found) in max.iter_mut().flatten().zip(found.into_iter().flatten()) {
-                max.pairs = max.pairs.max(found.pairs);
-                max.intersections = max.intersections.max(found.intersections);
-                max.samples = max.samples.max(found.samples);
+                *max = max.max(found);
             }
         }
         let [columns, rows] = size.map(|side| side.div_ceil(SIDE));

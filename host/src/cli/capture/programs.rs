@@ -1,5 +1,6 @@
 //! Programs that others wrote: whether they are there, and running them.
 
+use std::env;
 use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
@@ -92,10 +93,12 @@ pub fn find(needed: &[Needed]) -> Result<String> {
     let names = all(|program| program.name.to_owned(), " ");
     let purposes = all(|program| format!("{} {}", program.name, program.purpose), ", and ");
     let pages = all(|program| program.page.to_owned(), " and ");
-    refuse(format!(
-        "not installed: {names}. {purposes}. Install with `apt install {names}` (Debian, Ubuntu), \
-         `brew install {names}` (macOS), or from {pages}"
-    ))
+    let manager = match env::consts::OS {
+        "linux" => format!("with `apt install {names}` (Debian, Ubuntu), or "),
+        "macos" => format!("with `brew install {names}`, or "),
+        _ => String::new(),
+    };
+    refuse(format!("not installed: {names}. {purposes}. Install {manager}from {pages}"))
 }
 
 /// The version that a program says: its first word with a digit.

@@ -340,13 +340,10 @@ impl TrainJob<'_> {
         is_there.then(|| Ok(Scene::load_config(checkpoint)?.placement)).transpose()
     }
 
-    /// Number of pixels that the run draws if its photographs have `of`.
-    fn pixels(&self, of: f64, renderer: &Renderer) -> f64 {
-        let run = &self.config.run;
-        let is_cpu_like = renderer.device().is_cpu_like();
-        let steps = f64::from(run.steps_for(of, is_cpu_like));
+    /// Number of pixels that the run draws in so many steps, or in the time that it should take.
+    fn pixels(&self, steps: u32, renderer: &Renderer) -> f64 {
         let in_time = self.scheduled.map(|seconds| seconds * pixels_per_second(renderer));
-        in_time.unwrap_or(steps * run.pixels_per_step())
+        in_time.unwrap_or(f64::from(steps) * self.config.run.pixels_per_step())
     }
 
     /// Says how long the run is, before its first step.
@@ -358,7 +355,7 @@ impl TrainJob<'_> {
         console: Console,
     ) {
         let of = config::pixels(dataset);
-        let pixels = self.pixels(of, renderer);
+        let pixels = self.pixels(config.run.steps, renderer);
         let per_step = config.run.pixels_per_step();
         let about = if self.scheduled.is_some() { "about " } else { "" };
         let time = Duration::from_secs_f64(pixels / pixels_per_second(renderer));
@@ -402,7 +399,8 @@ impl TrainJob<'_> {
         };
         let renderer = device.open_as(&of_rank(0), console)?;
         if self.shrinks {
-            config.data.downscale = data.shrink(self.pixels(f64::INFINITY, &renderer), console)?;
+            let most = config.run.steps_for(f64::INFINITY, renderer.device().is_cpu_like());
+            config.data.downscale = data.shrink(self.pixels(most, &renderer), console)?;
         }
         if let Some(group) = &group {
             group.tell(&config, placement)?;

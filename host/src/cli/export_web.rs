@@ -183,11 +183,11 @@ pub fn make(
     options: &PageOptions,
     console: Console,
 ) -> Result<WebPage> {
-    let scene = shown.source.load(console)?;
+    let scenes = shown.load(console)?;
     let args = SceneArgs { half_grids };
-    let upload = |renderer: &Renderer| shown.upload(&scene, &args, renderer, console);
+    let upload = |renderer: &Renderer| shown.upload(&scenes, &args, renderer);
     let page = console.during("measuring what images need", || {
-        WebPage::new(&scene, &upload, cameras, renderer, options)
+        WebPage::new(&scenes[0], &upload, cameras, renderer, options)
     })?;
     let facts = page.facts;
     console.detail(&format!(

@@ -87,7 +87,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         Image::check_memory(list[view].width, list[view].height)?;
         ChannelImage::check_memory(&channels, list[view].width, list[view].height)?;
     }
-    let scene = source.load(console)?;
+    let scenes = shown.load(console)?;
     let mut folder = Folder::make(&args.output)?;
     folder.lock()?;
     let beside = |channel: &Channel| format!("{}.png", channel.name());
@@ -104,7 +104,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
 
     let renderer = &args.device.open(console)?;
-    let scene = &shown.upload(&scene, &args.scene_args, renderer, console)?;
+    let scene = &shown.upload(&scenes, &args.scene_args, renderer)?;
     let pictures = Pictures { renderer, scene, cameras: list, stop: None };
     let output = (&channels[..], args.levels.depth_scale);
     let cost = write_all(&pictures, views, &files, output, console)?;

@@ -138,17 +138,18 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         shown.require_one()?;
     }
     let (poses, photographs, points) = surroundings(args, source, named, console)?;
-    let scene = source.load(console)?;
+    let mut scenes = shown.load(console)?;
     let server = args.server.listen(console)?;
     let renderer = args.device.open(console)?;
-    let uploaded = shown.upload(&scene, &args.scene_args, &renderer, console)?;
+    let uploaded = shown.upload(&scenes, &args.scene_args, &renderer)?;
     let title = title(source.named());
     let has_photographs = !photographs.is_empty();
     let purpose = if args.edit.is_some() { Purpose::Edit } else { Purpose::Look };
     let about = About::new(&title, &uploaded, &poses, has_photographs, &points, purpose);
     let editor = args.edit.as_ref();
     let cameras = poses.into_iter().map(|pose| pose.camera).collect();
-    let editor = editor.map(|file| Editor::new(scene, cameras, args.scene_args.options(), file));
+    let editor =
+        editor.map(|file| Editor::new(scenes.remove(0), cameras, args.scene_args.options(), file));
     let editor = editor.transpose()?;
     let queue = Arc::new(Queue::default());
     let handler = {

@@ -79,9 +79,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let shown = Shown::find(&args.scene, &args.cameras)?;
     let source = &shown.source;
     let kind = FilmKind::from_path(&args.output)?;
-    let scene = source.load(console)?;
+    let scenes = shown.load(console)?;
     let inputs =
-        Inputs { source, scene: &scene, named: shown.cameras.as_deref(), data: &args.data };
+        Inputs { source, scene: &scenes[0], named: shown.cameras.as_deref(), data: &args.data };
     let path = args.path.frames(&inputs, args.frames as usize, kind == FilmKind::Mp4, console)?;
     let size @ [width, height] = [path.frames[0].width, path.frames[0].height];
     kind.check(size)?;
@@ -97,7 +97,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
 
     let renderer = args.device.open(console)?;
-    let scene = shown.upload(&scene, &args.scene_args, &renderer, console)?;
+    let scene = shown.upload(&scenes, &args.scene_args, &renderer)?;
     let film = Film { renderer: &renderer, scene: &scene, cameras: &path.frames };
     let made = film.make(args, kind, &shown, console)?;
     if args.json { print_json(&made) } else { Ok(()) }

@@ -88,17 +88,23 @@ impl Shown {
         }
     }
 
-    /// Copies all scenes to a device, of which the first was read.
+    /// Reads all scenes, in their order.
+    pub fn load(&self, console: Console) -> Result<Vec<Scene>> {
+        let others = self.beside.iter().map(|(source, ..)| source);
+        [&self.source].into_iter().chain(others).map(|source| source.load(console)).collect()
+    }
+
+    /// Copies all scenes to a device, each at its place.
     pub fn upload(
         &self,
-        first: &Scene,
+        scenes: &[Scene],
         args: &SceneArgs,
         renderer: &Renderer,
-        console: Console,
     ) -> Result<DeviceScene> {
+        let [first, others @ ..] = scenes else { unreachable!("a scene") };
         let mut scene = args.upload(renderer, first)?;
-        for (source, _, placement) in &self.beside {
-            scene.put(args.upload(renderer, &source.load(console)?)?, *placement)?;
+        for (other, (.., placement)) in others.iter().zip(&self.beside) {
+            scene.put(args.upload(renderer, other)?, *placement)?;
         }
         Ok(scene)
     }

@@ -98,7 +98,7 @@ class Cameras:
         field_of_view: float | None = None,
         size: tuple[int, int] | None = None,
     ) -> Cameras:
-        """`frames` cameras once around the point that these look at, as `organza film --orbit`.
+        """`frames` cameras once around the point that these look at.
 
         `center` is that point and `up` the axis, upward in the images, both in world units; `distance` is that from the center, in world
         units; `elevation` is the angle above the horizon, -89 to 89 degrees. Where they are not given, they are the medians of these
@@ -117,7 +117,7 @@ class Cameras:
     def between(
         self, frames: int, *, loop: bool = False, size: tuple[int, int] | None = None
     ) -> Cameras:
-        """`frames` cameras on a smooth path through these, in their order, as `organza film --between`; `loop` leads back to the first.
+        """`frames` cameras on a smooth path through these, in their order, as `organza film run cameras.json`; `loop` leads back to the first.
         `size` is width and height in pixels: the first camera's unless given. Raises `ValueError` for fewer than two."""
         return Cameras(self._core.between(frames, loop, size))
 

@@ -72,18 +72,18 @@ fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
         let made = Command::new("mkfifo").arg(sandbox.path(name)).status().expect("mkfifo");
         assert!(made.success());
     };
-    for folder in ["images", "frames", "film.png.frames", "demo", "page"] {
+    for folder in ["images", "frames", "pipes", "demo", "page"] {
         sandbox.make_folder(folder);
     }
     symlink(&mine, sandbox.path("images/view-000.png")).unwrap();
     symlink("/dev/zero", sandbox.path("frames/00000.png")).unwrap();
-    pipe("film.png.frames/00000.png");
+    pipe("pipes/00000.png");
     symlink(&mine, sandbox.path("demo/turntable.png")).unwrap();
     symlink(&mine, sandbox.path("page/index.html")).unwrap();
     for words in [
         "render run -o images --split all --backend cpu",
-        "film run -o frames --frames 2 --backend cpu",
-        "film run -o film.png --frames 2 --backend cpu",
+        "film run -o frames --overwrite --frames 2 --backend cpu",
+        "film run -o pipes --overwrite --frames 2 --backend cpu",
         "demo -o demo --views 2 --size 16 --backend cpu",
         "export-web run -o page --backend cpu",
     ] {

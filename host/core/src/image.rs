@@ -8,7 +8,6 @@ mod tests;
 
 use std::io::{self, Write};
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use channel::{ChannelImage, PNG_DEPTH_SCALE};
 use png::{BitDepth, ColorType};
@@ -192,30 +191,18 @@ impl Image {
         write_atomic(path, |writer| writer.write_all(&self.encode_png()?))
     }
 
-    /// Writes the image as PNG, atomically. `stop` ends the encoding, which is then an error.
-    ///
-    /// # Errors
-    /// [`Error::WriteFile`](crate::Error::WriteFile).
-    pub fn save_png_unless(&self, path: &Path, stop: &AtomicBool) -> Result<()> {
-        write_atomic(path, |writer| writer.write_all(&self.encode(Some(stop))?))
-    }
-
     /// The image as a PNG file.
     ///
     /// # Errors
     /// If the encoder fails. It writes to memory.
     pub fn encode_png(&self) -> io::Result<Vec<u8>> {
-        self.encode(None)
-    }
-
-    fn encode(&self, stop: Option<&AtomicBool>) -> io::Result<Vec<u8>> {
         let pixels = Pixels {
             bytes: self.pixels.as_flattened(),
             size: self.size(),
             color: ColorType::Rgb,
             depth: BitDepth::Eight,
         };
-        pixels.png(stop)
+        pixels.png()
     }
 }
 
@@ -229,7 +216,7 @@ struct Pixels<'a> {
 
 impl Pixels<'_> {
     /// The file. It is made in memory: the encoder's errors of a disk do not say what failed.
-    fn png(&self, stop: Option<&AtomicBool>) -> io::Result<Vec<u8>> {
+    fn png(&self) -> io::Result<Vec<u8>> {
         let [width, height] = self.size;
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, width, height);
@@ -239,13 +226,7 @@ impl Pixels<'_> {
         encoder.set_filter(png::Filter::Adaptive);
         let mut writer = encoder.write_header()?;
         let mut rows = writer.stream_writer_with_size(1 << 20)?;
-        let row = self.bytes.len() / (height as usize).max(1);
-        for row in self.bytes.chunks(row.max(1)) {
-            if stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
-                return Err(io::Error::other("stopped by a signal"));
-            }
-            rows.write_all(row)?;
-        }
+        rows.write_all(self.bytes)?;
         rows.finish()?;
         writer.finish()?;
         Ok(file)

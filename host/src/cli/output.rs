@@ -9,8 +9,8 @@ use organza::splats::Format;
 use organza::train::FolderLock;
 use organza::train::{self, CONFIG};
 use organza::{Error, Result};
+use organza_core::hex;
 use organza_core::input::has_extension;
-use organza_core::{hex, write_atomic};
 use sha2::{Digest, Sha256};
 
 use super::inputs::FileKind;
@@ -141,11 +141,6 @@ impl Folder {
         Ok(())
     }
 
-    /// Unlocks the folder, and removes the lock's file.
-    pub fn unlock(&mut self) {
-        self.lock = None;
-    }
-
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -170,7 +165,7 @@ impl Folder {
 impl Drop for Folder {
     fn drop(&mut self) {
         // The lock's file is in the folder.
-        self.unlock();
+        self.lock = None;
         for path in &self.made {
             // Fails on purpose if the folder is not empty.
             let _ = fs::remove_dir(path);
@@ -178,10 +173,7 @@ impl Drop for Folder {
     }
 }
 
-/// The file that says what the frames in a folder were made of.
-const MARK: &str = ".organza-images";
-
-/// Identifies what frames are made of: the scene's file, the cameras, the options, and the program.
+/// Identifies what a result is made of: the scene's file, the options, and the program.
 pub fn made_of(scene: &Path, how: &dyn Debug) -> Result<String> {
     let mut hash = Sha256::new();
     File::open(scene)
@@ -213,43 +205,4 @@ pub fn refuse_others(folder: &Folder, is_own: impl Fn(&str) -> bool) -> Result<(
         folder.path().display(),
         name(&other)
     ))
-}
-
-/// Prepares a folder for the frames of a film. Frames that an earlier call made of the same inputs stay; others are removed with
-/// `overwrite`, and refused without it.
-pub fn continue_film(
-    folder: &Folder,
-    scene: &Path,
-    how: &dyn Debug,
-    overwrite: bool,
-) -> Result<()> {
-    let film = made_of(scene, how)?;
-    let mark = folder.file(MARK)?;
-    if fs::read_to_string(&mark).is_ok_and(|found| found == film) {
-        return Ok(());
-    }
-    if !overwrite {
-        refuse_others(folder, |_| false)?;
-    }
-    let is_frame = |path: &PathBuf| {
-        let name = name(path);
-        let number = name.strip_suffix(".png").unwrap_or_default();
-        number.len() == 5 && number.bytes().all(|digit| digit.is_ascii_digit()) && path.is_file()
-    };
-    for frame in visible(folder)?.into_iter().filter(is_frame) {
-        fs::remove_file(&frame).map_err(|error| Error::write(&frame, error))?;
-    }
-    write_atomic(&mark, |writer| writer.write_all(film.as_bytes()))
-}
-
-/// Removes the frames, which are in the film now, and the folder if nothing else is in it.
-pub fn remove_frames(folder: &mut Folder, frames: &[PathBuf]) -> Result<()> {
-    for file in frames.iter().chain([&folder.join(MARK)]) {
-        fs::remove_file(file).map_err(|error| Error::write(file, error))?;
-    }
-    organza_core::remove_leftovers(folder.path());
-    folder.unlock();
-    // It fails on purpose if there is another file in the folder.
-    let _ = fs::remove_dir(folder.path());
-    Ok(())
 }

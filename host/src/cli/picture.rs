@@ -48,7 +48,7 @@ impl Pictures<'_> {
         for batch in image::bands(view, [width, height], TILE_SIDE) {
             let batch = batch?;
             if self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
-                return refuse("stopped by a signal within an image");
+                return refuse("stopped by a signal");
             }
             let renderer = self.renderer;
             let cameras = self.cameras;

@@ -125,7 +125,7 @@ impl ChannelImage {
             color: if planes == 3 { ColorType::Rgb } else { ColorType::Grayscale },
             depth: BitDepth::Sixteen,
         };
-        pixels.png(None)
+        pixels.png()
     }
 }
 

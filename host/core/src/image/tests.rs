@@ -146,14 +146,3 @@ fn other_programs_read_the_files() {
     let expected: Vec<_> = levels.iter().flat_map(|level| level.to_be_bytes()).collect();
     assert_eq!(decode(&png).1, expected);
 }
-
-#[test]
-fn a_signal_ends_the_encoding() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("view.png");
-    let stop = AtomicBool::new(true);
-    let image = Image::new(8, 8).unwrap();
-    let error = image.save_png_unless(&path, &stop).unwrap_err();
-    assert!(format!("{error:?}").contains("stopped by a signal"), "{error:?}");
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
-}

@@ -11,7 +11,6 @@ use serde::Deserialize;
 use super::SceneSource;
 use crate::cli::console::Console;
 use crate::cli::device::SceneArgs;
-use crate::cli::output::made_of;
 use crate::cli::{refuse, title};
 
 /// Most bytes of a file that lists scenes.
@@ -107,11 +106,6 @@ impl Shown {
             scene.put(args.upload(renderer, other)?, *placement)?;
         }
         Ok(scene)
-    }
-
-    /// Identifies the other scenes and their places.
-    pub fn others(&self) -> Result<Vec<String>> {
-        self.beside.iter().map(|(source, _, place)| made_of(source.file(), place)).collect()
     }
 
     /// Names of the other scenes, and their places.

@@ -42,7 +42,7 @@
 //! All are on by default. Without them, this is the renderer alone.
 //!
 //! - `train`: photographs ([`data`]), [training](train), and [files for viewers that sort](splats).
-//! - `viewer`: pages of runs, the [viewer](view), [films](film), and [the page that renders by itself](web). Needs `train`.
+//! - `viewer`: pages of runs, the [viewer](view), and [the page that renders by itself](web). Needs `train`.
 //! - `cli`: the program. Needs `viewer`.
 //! - `mpi`: ranks that are MPI's processes. Off by default.
 
@@ -72,7 +72,7 @@ pub use organza_render::{
 #[cfg(feature = "train")]
 pub use organza_train::{COMMIT, Evaluation, TrainConfig, Trainer, evaluate};
 #[cfg(feature = "viewer")]
-pub use organza_view::{self as view, film, web};
+pub use organza_view::{self as view, web};
 
 /// Gaussians for 3D Gaussian Splatting viewers: their files, the fit of a scene's Gaussians, and scenes made of such files.
 #[cfg(feature = "train")]

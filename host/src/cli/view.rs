@@ -165,13 +165,12 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut frame_renderer =
         FrameRenderer::new(Arc::clone(&queue), photographs).with(editor, places);
     let url = server.url();
-    let films = server.start(Arc::clone(&queue), about, None)?;
+    server.start(Arc::clone(&queue), about, None)?;
     args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
     let stage = Stage { renderer: &renderer, scene: &uploaded, version: 0 };
     while !queue.is_stopped() {
         frame_renderer.serve(stage, Duration::from_secs(1));
     }
-    films.wait_for_end(Duration::from_secs(5));
     Ok(())
 }
 

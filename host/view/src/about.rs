@@ -6,7 +6,6 @@ use serde_json::json;
 
 use super::home::home;
 use super::message::Mode;
-use crate::film::FilmKind;
 use organza_core::camera::{Camera, Orbit, upward};
 use organza_core::demo;
 use organza_core::scene::{Placement, bounds};
@@ -67,8 +66,6 @@ impl About {
             json!({ "name": name, "held_out": pose.held_out, "camera": pose.camera })
         };
         let views: Vec<_> = poses.iter().enumerate().map(view).collect();
-        let films = [FilmKind::Mp4, FilmKind::Png].into_iter();
-        let films: Vec<_> = films.filter(|kind| kind.check([2, 2]).is_ok()).collect();
         let (positions, colors) = sample(points);
         let told = json!({
             "title": title,
@@ -90,8 +87,6 @@ impl About {
             "photographs": photographs,
             "points": colors.len() / 3,
             "purpose": purpose,
-            // formats that this machine can write
-            "films": films,
             "modes": Mode::ALL.map(|mode| (mode, mode.ramp())),
         });
         let json = told.to_string();

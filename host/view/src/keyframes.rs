@@ -27,8 +27,8 @@ pub struct PathRequest {
 }
 
 impl PathRequest {
-    /// The cameras along the path. Images have the first keyframe's size, made even with `is_even`.
-    pub fn cameras(&self, is_even: bool) -> Result<Vec<Camera>> {
+    /// The cameras along the path. Images have the first keyframe's size.
+    pub fn cameras(&self) -> Result<Vec<Camera>> {
         let Self { keyframes, is_closed, frames } = self;
         if *frames > MAX_FRAMES || keyframes.len() > MAX_KEYFRAMES {
             return refuse(format!(
@@ -38,7 +38,6 @@ impl PathRequest {
         keyframes.iter().try_for_each(check)?;
         let Some(first) = keyframes.first() else { return refuse("a path has keyframes") };
         let size = [first.width, first.height];
-        let size = if is_even { size.map(|side| side.next_multiple_of(2)) } else { size };
         let keyframes: Vec<_> = keyframes.iter().map(|camera| camera.with_size(size)).collect();
         Ok(CameraPath::through(&keyframes, *is_closed)?.cameras(*frames))
     }

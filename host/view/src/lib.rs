@@ -5,13 +5,11 @@
 //! scene takes them from there, one at a time, and [renders](FrameRenderer). A client has at most one image in the queue: a
 //! newer request replaces an older one, so the latest camera wins. An image that no client waits for is not rendered.
 //!
-//! [`web`] makes a page that renders by itself, without a server, and [`film`] writes films of images.
+//! [`web`] makes a page that renders by itself, without a server.
 
 mod about;
 mod connections;
 mod editor;
-pub mod film;
-mod films;
 mod frame_renderer;
 mod guard;
 mod home;

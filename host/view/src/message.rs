@@ -81,15 +81,10 @@ pub fn check(camera: &Camera) -> Result<()> {
 impl FrameRequest {
     /// Checks the background, and then the camera.
     pub fn check(&self) -> Result<()> {
-        checked_background(self.background)?;
+        let is_color = |color: [f64; 3]| color.iter().all(|value| (0.0..=1.0).contains(value));
+        if !self.background.is_none_or(is_color) {
+            return refuse("a background has red, green and blue of 0 to 1");
+        }
         check(&self.camera)
     }
-}
-
-/// A background, if there is one, must be a color.
-pub fn checked_background(background: Option<[f64; 3]>) -> Result<()> {
-    if background.is_none_or(|color| color.iter().all(|value| (0.0..=1.0).contains(value))) {
-        return Ok(());
-    }
-    refuse("a background has red, green and blue of 0 to 1")
 }

@@ -3,11 +3,10 @@
 use std::convert::Infallible;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use std::{io, thread};
 
-use http_body_util::channel::Channel;
-use http_body_util::{BodyExt, Either, Full, Limited};
+use http_body_util::{BodyExt, Full, Limited};
 use hyper::body::{Bytes, Incoming};
 use hyper::header::{CONTENT_TYPE, HeaderName, HeaderValue, SET_COOKIE};
 use hyper::server::conn::http1;
@@ -16,12 +15,11 @@ use hyper::{Method, Request, Response, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use serde::de::DeserializeOwned;
 use tokio::net::TcpStream;
-use tokio::sync::{Semaphore, oneshot};
+use tokio::sync::oneshot;
 use tokio_io_timeout::TimeoutStream;
 
 use super::about::About;
 use super::connections::{Connections, Place};
-use super::films::{self, FilmRequest};
 use super::guard::{Access, Guard};
 use super::keyframes::{self, PathRequest};
 use super::message::{FrameRequest, PixelRequest, check};
@@ -33,8 +31,6 @@ use organza_report::{UPLOT_SCRIPT, UPLOT_STYLE};
 
 /// Largest request, in bytes: 1,000 keyframes. Parsed, it can take a hundred times as much.
 const MAX_BODY: usize = 1 << 19;
-/// Most films in the making.
-const MAX_FILMS: usize = 2;
 /// Longest time until a request has arrived, and until a client takes a part of an answer.
 const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -62,8 +58,6 @@ struct Viewer {
     queue: Arc<Queue>,
     about: About,
     training_status: Option<Arc<TrainingStatus>>,
-    /// Permits for films in the making.
-    films: Arc<Semaphore>,
 }
 
 impl Server {
@@ -117,11 +111,8 @@ impl Server {
         queue: Arc<Queue>,
         about: About,
         training_status: Option<Arc<TrainingStatus>>,
-    ) -> Result<Films> {
-        let films = Arc::new(Semaphore::new(MAX_FILMS));
-        let viewer = Viewer { queue, about, training_status, films: Arc::clone(&films) };
-        self.serve(Site::Viewer(viewer))?;
-        Ok(Films(films))
+    ) -> Result<()> {
+        self.serve(Site::Viewer(Viewer { queue, about, training_status }))
     }
 
     /// Starts to serve a page that renders by itself: its files by name.
@@ -149,20 +140,6 @@ impl Server {
         let serve = move || runtime.block_on(accept(listener, shared));
         thread::Builder::new().name("viewer".to_owned()).spawn(serve).map_err(broken)?;
         Ok(())
-    }
-}
-
-/// The films that a server is making.
-#[derive(Debug)]
-pub struct Films(Arc<Semaphore>);
-
-impl Films {
-    /// Waits until films that have lost their place in the queue have removed their frames, for at most `patience`.
-    pub fn wait_for_end(&self, patience: Duration) {
-        let begin = Instant::now();
-        while self.0.available_permits() < MAX_FILMS && begin.elapsed() < patience {
-            thread::sleep(Duration::from_millis(10));
-        }
     }
 }
 
@@ -206,8 +183,7 @@ async fn connection(stream: TcpStream, shared: Arc<Shared>, place: Arc<Place>) {
         .await;
 }
 
-/// A complete answer, or a film in the making.
-type Reply = Response<Either<Full<Bytes>, Channel<Bytes>>>;
+type Reply = Response<Full<Bytes>>;
 
 /// Status and reason of a refused request.
 struct Refusal(StatusCode, String);
@@ -306,27 +282,12 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
         }
         (&Method::POST, "/path") => {
             let path: PathRequest = parsed(&body(request).await?)?;
-            let cameras = path.cameras(false).map_err(refused)?;
+            let cameras = path.cameras().map_err(refused)?;
             json(&keyframes::listed(&cameras))
         }
         (&Method::POST, "/keyframes") => {
             let file = parsed(&body(request).await?)?;
             json(&keyframes::read(&file, &viewer.about.placement).map_err(refused)?)
-        }
-        (&Method::POST, "/film") => {
-            let request: FilmRequest = parsed(&body(request).await?)?;
-            let cameras = request.check().map_err(refused)?;
-            let Ok(place) = Arc::clone(&viewer.films).try_acquire_owned() else {
-                let reason = format!("{MAX_FILMS} films are being made; wait for one of them");
-                return Err(Refusal(StatusCode::SERVICE_UNAVAILABLE, reason));
-            };
-            let (sender, body) = Channel::new(1);
-            let queue = Arc::clone(&viewer.queue);
-            tokio::spawn(async move {
-                films::make(&queue, &request, cameras, sender).await;
-                drop(place);
-            });
-            Ok(reply(StatusCode::OK, "application/octet-stream", Either::Right(body)))
         }
         (&Method::GET, path) => {
             if let Some((kind, content)) = asset(path) {
@@ -400,15 +361,7 @@ const HEADERS: [(&str, &str); 6] = [
 ];
 
 fn whole(status: StatusCode, kind: &'static str, content: Bytes) -> Reply {
-    reply(status, kind, Either::Left(Full::new(content)))
-}
-
-fn reply(
-    status: StatusCode,
-    kind: &'static str,
-    content: Either<Full<Bytes>, Channel<Bytes>>,
-) -> Reply {
-    let mut reply = Response::new(content);
+    let mut reply = Response::new(Full::new(content));
     *reply.status_mut() = status;
     let headers = reply.headers_mut();
     headers.insert(CONTENT_TYPE, HeaderValue::from_static(kind));
@@ -426,7 +379,7 @@ const SCRIPT: &str = "text/javascript; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 
 /// Every file of the page.
-const ASSETS: [Asset; 19] = [
+const ASSETS: [Asset; 18] = [
     ("/", PAGE, include_str!("page/index.html")),
     ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
     ("/page.css", STYLE, include_str!("page/page.css")),
@@ -435,7 +388,6 @@ const ASSETS: [Asset; 19] = [
     ("/controls.js", SCRIPT, include_str!("page/controls.js")),
     ("/edit.js", SCRIPT, include_str!("page/edit.js")),
     ("/explain.js", SCRIPT, include_str!("page/explain.js")),
-    ("/film.js", SCRIPT, include_str!("page/film.js")),
     ("/frames.js", SCRIPT, include_str!("page/frames.js")),
     ("/keyframes.js", SCRIPT, include_str!("page/keyframes.js")),
     ("/measure.js", SCRIPT, include_str!("page/measure.js")),

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::server::{Films, Server};
+use super::server::Server;
 use crate::{About, FrameRenderer, PhotographSource, Photographs, Purpose, Queue};
 use organza_core::error::Result;
 use organza_data::{Dataset, Pose};
@@ -14,8 +14,6 @@ use serde::Serialize;
 
 /// Longest delay until a signal ends the waiting.
 const PATIENCE: Duration = Duration::from_millis(100);
-/// Longest wait for films that end with the training.
-const END: Duration = Duration::from_secs(5);
 
 /// Shows a training to clients. It reads the scene between steps and changes nothing, so the training's bits do not
 /// depend on it.
@@ -30,7 +28,6 @@ pub struct TrainingView<'a> {
     title: String,
     /// Waits until there is a scene to show, and is started then.
     server: Option<Server>,
-    films: Option<Films>,
     queue: Arc<Queue>,
     training_status: Arc<TrainingStatus>,
     frame_renderer: FrameRenderer,
@@ -74,7 +71,6 @@ impl<'a> TrainingView<'a> {
             share,
             title,
             server,
-            films: None,
             queue,
             training_status,
             frame_renderer,
@@ -117,7 +113,7 @@ impl<'a> TrainingView<'a> {
 
     fn serve(&mut self, scene: &DeviceScene, version: u64) -> Result<()> {
         if let Some(server) = self.server.take() {
-            self.films = Some(self.start(server, scene)?);
+            self.start(server, scene)?;
         }
         let stage = Stage { renderer: self.renderer, scene, version };
         let begin = Instant::now();
@@ -135,7 +131,7 @@ impl<'a> TrainingView<'a> {
         Ok(())
     }
 
-    fn start(&self, server: Server, scene: &DeviceScene) -> Result<Films> {
+    fn start(&self, server: Server, scene: &DeviceScene) -> Result<()> {
         let Dataset { frames, held_out, points, .. } = &**self.dataset;
         let pose = |(index, frame): (usize, &organza_data::Frame)| {
             let camera = organza_core::Camera {
@@ -153,9 +149,6 @@ impl<'a> TrainingView<'a> {
 impl Drop for TrainingView<'_> {
     fn drop(&mut self) {
         self.queue.stop();
-        if let Some(films) = &self.films {
-            films.wait_for_end(END);
-        }
     }
 }
 

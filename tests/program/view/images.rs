@@ -170,4 +170,8 @@ fn keyframes_are_files_that_every_command_reads() {
     for bad in [json!([]), json!([{"w": 1}]), json!("x")] {
         assert_eq!(viewer.post("/cameras.json", &bad).status, 400, "{bad}");
     }
+    for (keyframes, frames) in [(json!([]), 5), (keyframes, 100_000)] {
+        let path = json!({"keyframes": keyframes, "loop": true, "frames": frames});
+        assert_eq!(viewer.post("/path", &path).status, 400, "{frames}");
+    }
 }

@@ -4,7 +4,6 @@
 mod browser;
 pub mod chromium;
 pub mod client;
-mod film;
 mod images;
 mod protocol;
 mod training;

@@ -1,6 +1,5 @@
 // Keyframes: views that are kept, and the path through them.
 
-import { Film } from "./film.js";
 import { post } from "./frames.js";
 import { $, download, element } from "./page.js";
 import { withSize } from "./camera.js";
@@ -19,7 +18,6 @@ export class Keyframes {
       if (file) await this.load(await file.text());
       $("keyframes-file").value = "";
     };
-    this.film = new Film(view, RATE, () => this.request());
     $("loop").onchange = $("pace").onchange = () => this.changed();
   }
 
@@ -46,7 +44,6 @@ export class Keyframes {
     $("no-keyframes").hidden = this.list.length > 0;
     $("save-keyframes").disabled = this.list.length === 0;
     $("play").disabled = this.list.length < 2;
-    $("film").disabled = this.list.length < 2 && !this.film.abort;
     const parts = this.list.length - ($("loop").checked ? 0 : 1);
     $("length").textContent = this.list.length > 1 ? `${(parts * this.pace).toFixed(1)} s` : "";
     this.overlay.keyframes = this.list;

@@ -4,20 +4,18 @@ use std::net::IpAddr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
-use std::sync::mpsc::channel;
 use std::time::Duration;
 
 use organza::data::{Point, Pose};
 use organza::view::{
     About, Editor, FrameRenderer, Photographs, Places, Purpose, Queue, Server, Stage,
 };
-use organza::web::PageOptions;
 use organza::{Camera, Result};
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Shown};
-use super::{export_web, refuse, title};
+use super::{refuse, title};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -29,13 +27,9 @@ Examples:
   organza view run --bind 0.0.0.0            for other machines; keep the address secret
   organza view run --edit cropped.safetensors    remove Gaussians on the page
   organza view room.safetensors mug.safetensors@mug.json    move the mug on the page, and save its place
-  organza view run --client                  the browser's GPU renders
 
 The page shows the scene while you move through it, coarsely at first. When the camera rests, the image becomes that \
 of `organza render`, to the bit. Press ? on the page for its keys. Ctrl-C ends the program.";
-
-/// Largest width and height of a page that renders by itself, in pixels.
-const CLIENT_SIZE: [u32; 2] = [1920, 1080];
 
 /// Look at a scene in a browser
 #[derive(Debug, clap::Args)]
@@ -46,14 +40,9 @@ pub struct Args {
     /// More scenes at their places, each as SCENE@PLACE.json; and a data set, or a transforms.json, with or without
     /// photographs [default: the run's]
     data: Vec<PathBuf>,
-    /// Let the browser render with its own GPU: serve the page of `organza export-web`. Browsers allow that (WebGPU) only
-    /// for pages at `localhost`, where `ssh -L` also puts other machines' pages. The page has no photographs, and
-    /// explains no pixels
-    #[arg(long, help_heading = "Page")]
-    client: bool,
     /// Let the page remove Gaussians, and save what is left to this file. Later saves add a number to its name; no file is
     /// replaced
-    #[arg(long, value_name = "SCENE", conflicts_with = "client", help_heading = "Page")]
+    #[arg(long, value_name = "SCENE", help_heading = "Page")]
     edit: Option<PathBuf>,
     #[command(flatten)]
     server: ServerArgs,
@@ -131,9 +120,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let shown = Shown::find(&args.scene, &args.data)?;
     let source = &shown.source;
     let named = shown.cameras.as_deref();
-    if args.client {
-        return serve_client(args, &shown, console);
-    }
     if args.edit.is_some() {
         shown.require_one()?;
     }
@@ -160,7 +146,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             false => queue.stop(),
         }
     };
-    at_signals(handler)?;
+    ctrlc::set_handler(handler)
+        .or_else(|error| refuse(format!("cannot listen to signals: {error}")))?;
     let places = Places::new(&uploaded, shown.places());
     let mut frame_renderer =
         FrameRenderer::new(Arc::clone(&queue), photographs).with(editor, places);
@@ -171,28 +158,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     while !queue.is_stopped() {
         frame_renderer.serve(stage, Duration::from_secs(1));
     }
-    Ok(())
-}
-
-/// Serves a page that renders by itself, until a signal comes.
-fn serve_client(args: &Args, shown: &Shown, console: Console) -> Result<()> {
-    let usage = "organza view SCENE DATA --client";
-    let cameras = export_web::cameras(shown, &args.data_args, usage, console)?;
-    let server = args.server.listen(console)?;
-    let renderer = args.device.open(console)?;
-    let options = PageOptions { title: export_web::page_title(&shown.source), size: CLIENT_SIZE };
-    let half_grids = args.scene_args.half_grids;
-    let page = export_web::make(shown, half_grids, &cameras, &renderer, &options, console)?;
-    let (stop, stopped) = channel();
-    let handler = move || {
-        // fails if the server has already ended
-        let _ = stop.send(());
-    };
-    at_signals(handler)?;
-    let url = server.url();
-    server.start_page(page.files())?;
-    args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
-    let _ = stopped.recv();
     Ok(())
 }
 
@@ -229,11 +194,4 @@ fn surroundings(
     let poses = data.cameras()?;
     let (photographs, points) = data.photographs();
     Ok((poses, photographs, points))
-}
-
-fn at_signals(handler: impl FnMut() + Send + 'static) -> Result<()> {
-    match ctrlc::set_handler(handler) {
-        Ok(()) => Ok(()),
-        Err(error) => refuse(format!("cannot listen to signals: {error}")),
-    }
 }

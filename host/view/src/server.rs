@@ -41,20 +41,8 @@ pub struct Server {
     guard: Guard,
 }
 
-struct Shared {
-    guard: Guard,
-    site: Site,
-}
-
-/// The site to serve.
-enum Site {
-    /// The page that requests images from this program.
-    Viewer(Viewer),
-    /// A page that renders by itself: address, media type and content of each file.
-    Client(Vec<(String, &'static str, Bytes)>),
-}
-
 struct Viewer {
+    guard: Guard,
     queue: Arc<Queue>,
     about: About,
     training_status: Option<Arc<TrainingStatus>>,
@@ -112,32 +100,12 @@ impl Server {
         about: About,
         training_status: Option<Arc<TrainingStatus>>,
     ) -> Result<()> {
-        self.serve(Site::Viewer(Viewer { queue, about, training_status }))
-    }
-
-    /// Starts to serve a page that renders by itself: its files by name.
-    ///
-    /// # Errors
-    /// The same errors as [`Server::start`].
-    pub fn start_page(
-        self,
-        files: impl IntoIterator<Item = (&'static str, Vec<u8>)>,
-    ) -> Result<()> {
-        let file = |(name, bytes): (&str, Vec<u8>)| match name {
-            _ if name == super::web::WebPage::FILES[0] => ("/".to_owned(), PAGE, bytes.into()),
-            _ if name.ends_with(".jpg") => (format!("/{name}"), "image/jpeg", bytes.into()),
-            _ => (format!("/{name}"), SCRIPT, bytes.into()),
-        };
-        self.serve(Site::Client(files.into_iter().map(file).collect()))
-    }
-
-    fn serve(self, site: Site) -> Result<()> {
         let Self { listener, guard } = self;
         listener.set_nonblocking(true).map_err(broken)?;
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         let runtime = runtime.map_err(broken)?;
-        let shared = Arc::new(Shared { guard, site });
-        let serve = move || runtime.block_on(accept(listener, shared));
+        let viewer = Arc::new(Viewer { guard, queue, about, training_status });
+        let serve = move || runtime.block_on(accept(listener, viewer));
         thread::Builder::new().name("viewer".to_owned()).spawn(serve).map_err(broken)?;
         Ok(())
     }
@@ -147,7 +115,7 @@ fn broken(error: io::Error) -> Error {
     Error::Invalid { origin: "".into(), reason: format!("the viewer cannot be served: {error}") }
 }
 
-async fn accept(listener: TcpListener, shared: Arc<Shared>) {
+async fn accept(listener: TcpListener, viewer: Arc<Viewer>) {
     let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
     let connections = Arc::new(Connections::default());
     loop {
@@ -156,23 +124,23 @@ async fn accept(listener: TcpListener, shared: Arc<Shared>) {
             tokio::time::sleep(Duration::from_millis(100)).await;
             continue;
         };
-        let shared = Arc::clone(&shared);
+        let viewer = Arc::clone(&viewer);
         connections.admit(peer.ip(), |place| {
-            tokio::spawn(connection(stream, shared, Arc::new(place))).abort_handle()
+            tokio::spawn(connection(stream, viewer, Arc::new(place))).abort_handle()
         });
     }
 }
 
 /// Answers the requests of one client.
-async fn connection(stream: TcpStream, shared: Arc<Shared>, place: Arc<Place>) {
+async fn connection(stream: TcpStream, viewer: Arc<Viewer>, place: Arc<Place>) {
     let _ = stream.set_nodelay(true);
     // a client that reads nothing would keep its place for ever
     let mut stream = TimeoutStream::new(stream);
     stream.set_write_timeout(Some(PATIENCE));
     let answer = |request| {
-        let shared = Arc::clone(&shared);
+        let viewer = Arc::clone(&viewer);
         let place = Arc::clone(&place);
-        async move { Ok::<_, Infallible>(answer(&shared, &place, request).await) }
+        async move { Ok::<_, Infallible>(answer(&viewer, &place, request).await) }
     };
     // a client's mistake only ends its own connection
     let _ = http1::Builder::new()
@@ -188,8 +156,8 @@ type Reply = Response<Full<Bytes>>;
 /// Status and reason of a refused request.
 struct Refusal(StatusCode, String);
 
-async fn answer(shared: &Shared, place: &Place, request: Request<Incoming>) -> Reply {
-    let cookie = match shared.guard.judge(request.headers(), request.uri().query()) {
+async fn answer(viewer: &Viewer, place: &Place, request: Request<Incoming>) -> Reply {
+    let cookie = match viewer.guard.judge(request.headers(), request.uri().query()) {
         Access::Allowed { cookie } => {
             place.keep();
             cookie
@@ -198,11 +166,7 @@ async fn answer(shared: &Shared, place: &Place, request: Request<Incoming>) -> R
             return text(StatusCode::FORBIDDEN, "text/plain; charset=utf-8", reason.as_bytes());
         }
     };
-    let reply = match &shared.site {
-        Site::Viewer(viewer) => route(viewer, request).await,
-        Site::Client(files) => file(files, &request),
-    };
-    let mut reply = reply.unwrap_or_else(|Refusal(status, reason)| {
+    let mut reply = route(viewer, request).await.unwrap_or_else(|Refusal(status, reason)| {
         let reason = serde_json::json!({ "error": reason }).to_string();
         text(status, "application/json", reason.as_bytes())
     });
@@ -210,22 +174,6 @@ async fn answer(shared: &Shared, place: &Place, request: Request<Incoming>) -> R
         reply.headers_mut().insert(SET_COOKIE, cookie);
     }
     reply
-}
-
-/// A file of a page that renders by itself.
-fn file(
-    files: &[(String, &'static str, Bytes)],
-    request: &Request<Incoming>,
-) -> Result<Reply, Refusal> {
-    let method = request.method();
-    let path = request.uri().path();
-    match files.iter().find(|(address, ..)| address == path) {
-        Some((_, kind, content)) if method == Method::GET => {
-            Ok(whole(StatusCode::OK, kind, content.clone()))
-        }
-        Some(_) => Err(not_for(method, path)),
-        None => Err(not_there(path)),
-    }
 }
 
 fn not_there(path: &str) -> Refusal {

@@ -50,33 +50,6 @@ fn pages_of_others_are_refused() {
 }
 
 #[test]
-fn a_page_that_renders_by_itself_is_given_out() {
-    let sandbox = Sandbox::new("tiny");
-    let mut viewer = Viewer::start(&sandbox, &format!("{VIEW} --client"));
-    sandbox.run("export-web scene.safetensors cameras.json -o page --full-grids").assert_ok();
-    assert!(viewer.get("/").ok().body == sandbox.read("page/index.html"));
-    let script = viewer.get("/page.js").ok();
-    assert_eq!(script.body, sandbox.read("page/page.js"));
-    assert!(script.headers.contains("content-type: text/javascript"), "{}", script.headers);
-    assert!(viewer.get("/scene.js").ok().body.starts_with(b"const ORGANZA_SCENE = "));
-    // other addresses and other clients get nothing
-    for (head, status) in [
-        ("GET /scene.json", 404),
-        ("GET /main.js", 404),
-        ("GET /points", 404),
-        ("POST /frame", 404),
-        ("POST /", 405),
-    ] {
-        let head = format!("{head} HTTP/1.1\r\nHost: {}\r\n", viewer.host);
-        assert_eq!(viewer.ask(&head, b"{}").status, status, "{head}");
-    }
-    assert_eq!(viewer.ask("GET / HTTP/1.1\r\nHost: evil.example\r\n", b"").status, 403);
-    signal(&viewer.child, "INT");
-    wait_for_end(&mut viewer.child);
-    assert_eq!(viewer.child.wait().expect("it has ended").code(), Some(0));
-}
-
-#[test]
 fn every_address_needs_a_token() {
     let sandbox = Sandbox::new("tiny");
     let viewer = Viewer::start(&sandbox, VIEW);

@@ -13,7 +13,6 @@ use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
 use crate::view::chromium::{Page, base64, program};
-use crate::view::client::Viewer;
 
 /// Side of the page's tiles, in pixels.
 const SIDE: u32 = 32;
@@ -277,6 +276,7 @@ fn a_page_renders_by_itself() {
     let folder = url(&sandbox.path("page/index.html"));
     let mut page = Page::open_with_webgpu(program, &folder, WINDOW);
     page.wait(AT_REST);
+    assert_eq!(page.eval("document.title"), "thin \u{b7} organza");
     page.screenshot("web");
     for steps in [1, 2] {
         assert_eq!(assert_same(&mut page, (&cpu, &scene), &cameras[0], steps), 0);
@@ -290,18 +290,7 @@ fn a_page_renders_by_itself() {
     assert_all_compile(&mut page);
     assert_eq!(page.eval("organza.errors"), json!([]));
 
-    // the program serves the same page
-    let viewer = Viewer::start(
-        &sandbox,
-        "view thin.safetensors near.json --client --half-grids --port 0 --backend cpu",
-    );
-    page.go(&viewer.url());
-    page.wait(AT_REST);
-    assert_eq!(page.eval("document.title"), "thin \u{b7} organza");
-    assert_same(&mut page, (&cpu, &scene), &cameras[0], 1);
-    assert_eq!(page.eval("organza.errors"), json!([]));
-
-    // so are several scenes
+    // several scenes are a page, too
     let put = scene::Place { offset: [0.3, -0.2, 0.4], turn: [20.0, 0.0, 70.0], scale: 0.6 };
     sandbox.write("place.json", serde_json::to_string(&put).unwrap());
     let words = "export-web thin.safetensors outside.safetensors@place.json near.json -o both.html \

@@ -4,11 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use organza::error::format_bytes;
-use organza::web::{Card, PageOptions, WebPage, embedding, gallery};
+use organza::web::{PageOptions, WebPage};
 use organza::{Camera, Renderer, Result};
 use organza_core::write_atomic;
 
-use super::console::{Console, print_as_is};
+use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource, Shown};
 use super::output::{Folder, check_file, refuse_run};
@@ -25,8 +25,6 @@ Examples:
   organza export-web scene.safetensors transforms.json -o page
   organza export-web room.safetensors mug.safetensors@mug.json -o page    scenes together
   organza export-web run -o page --size 1920x1080    images of at most this size
-  organza export-web run -o page --embed             also print the element that shows the page within another
-  organza export-web --gallery fox garden -o site    a page for each scene, and one that leads to them
 
 The page renders with the visitor's GPU. It needs a browser with WebGPU, and no program and no server: it also opens from \
 a folder. Until it is ready, and where there is no WebGPU, it shows a picture. Until the visitor touches it, it turns slowly \
@@ -37,8 +35,7 @@ where the cameras stood; without cameras, around the scene.";
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run; or a TOML file that lists several
-    #[arg(required_unless_present = "gallery")]
-    scene: Option<PathBuf>,
+    scene: PathBuf,
     /// More scenes at their places, each as SCENE@PLACE.json; and the cameras to start from: nerfstudio's transforms.json,
     /// or a data set [default: the run's, or views around the scene]
     cameras: Vec<PathBuf>,
@@ -48,16 +45,10 @@ pub struct Args {
     /// Write a single file that contains everything
     #[arg(long)]
     single_file: bool,
-    /// Print the HTML element that shows the page within another one, without title and help
-    #[arg(long)]
-    embed: bool,
-    /// Write a page for each of these scenes, with a page of pictures that lead to them
-    #[arg(long, value_name = "SCENE", num_args = 1.., conflicts_with_all = ["scene", "cameras", "single_file", "embed"])]
-    gallery: Vec<PathBuf>,
     /// The most pixels that the page renders; a larger window shows them enlarged
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
     size: [u32; 2],
-    /// The title of the page [default: the scene's name; with --gallery, Scenes]
+    /// The title of the page [default: the scene's name]
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
     /// Keep both hash grids in full precision: the page is larger, and its images equal `render`'s. Without
@@ -71,9 +62,8 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let Some(scene) = &args.scene else { return write_gallery(args, console) };
-    let shown = Shown::find(scene, &args.cameras)?;
-    let cameras = cameras(&shown, &args.data, USAGE, console)?;
+    let shown = Shown::find(&args.scene, &args.cameras)?;
+    let cameras = cameras(&shown, &args.data, console)?;
     let inputs: Vec<_> =
         [shown.source.named()].into_iter().chain(shown.cameras.as_deref()).collect();
     // checked before anything is computed
@@ -85,7 +75,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         false => Some(folder(&args.output)?),
     };
     let renderer = args.device.open(console)?;
-    let options = args.options(args.title.clone().unwrap_or_else(|| page_title(&shown.source)));
+    let title = args.title.clone().unwrap_or_else(|| page_title(&shown.source));
+    let options = PageOptions { title, size: args.size };
     let page = make(&shown, !args.full_grids, &cameras, &renderer, &options, console)?;
     let (file, bytes) = match &folder {
         None => {
@@ -100,69 +91,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         format_bytes(bytes as u64),
         file.display()
     ));
-    if args.embed {
-        print_as_is(&format!("{}\n", embedding(&options.title, &shown_path(&file))))?;
-    }
     Ok(())
-}
-
-impl Args {
-    fn options(&self, title: String) -> PageOptions {
-        PageOptions { title, size: self.size }
-    }
 }
 
 /// A scene's name, without the extension of a file.
-pub fn page_title(source: &SceneSource) -> String {
+fn page_title(source: &SceneSource) -> String {
     let name = title(source.named());
     name.strip_suffix(".safetensors").map_or_else(|| name.clone(), str::to_owned)
-}
-
-/// A page's path from the folder that holds the page.
-fn shown_path(file: &Path) -> String {
-    let name = title(file);
-    match file.parent().filter(|_| name == WebPage::FILES[0]) {
-        Some(folder) => format!("{}/{name}", title(folder)),
-        None => name,
-    }
-}
-
-/// Writes the pages of several scenes, and the page that leads to them.
-fn write_gallery(args: &Args, console: Console) -> Result<()> {
-    let all = args.gallery.iter().map(|scene| Shown::find(scene, &[]));
-    let all = all.collect::<Result<Vec<_>>>()?;
-    let outer = folder(&args.output)?;
-    let mut cards: Vec<Card> = Vec::new();
-    let mut folders = Vec::new();
-    for shown in &all {
-        let title = page_title(&shown.source);
-        let name = folder_name(&title, &cards);
-        folders.push(folder(&outer.join(&name))?);
-        cards.push(Card { title, folder: name });
-    }
-    let renderer = args.device.open(console)?;
-    for ((shown, card), folder) in all.iter().zip(&cards).zip(&folders) {
-        let cameras = cameras(shown, &args.data, USAGE, console)?;
-        let options = args.options(card.title.clone());
-        let page = make(shown, !args.full_grids, &cameras, &renderer, &options, console)?;
-        write_page(&page, folder)?;
-    }
-    let title = args.title.as_deref().unwrap_or("Scenes");
-    let [index, ..] = WebPage::FILES;
-    write(&outer.file(index)?, gallery(title, &cards).as_bytes())?;
-    let count = cards.len();
-    let file = outer.join(index);
-    console.note(&format!("wrote {count} pages: open {} in a browser with WebGPU", file.display()));
-    Ok(())
-}
-
-/// A name for a page's folder that no card has yet.
-fn folder_name(title: &str, cards: &[Card]) -> String {
-    let plain = |letter: char| if letter.is_alphanumeric() { letter } else { '-' };
-    let stem: String = title.chars().map(plain).collect();
-    let is_free = |name: &String| cards.iter().all(|card| card.folder != *name);
-    let numbered = (2..).map(|number| format!("{stem}-{number}"));
-    [stem.clone()].into_iter().chain(numbered).find(is_free).unwrap_or(stem)
 }
 
 /// Writes the files of a page, and returns their bytes.
@@ -175,7 +110,7 @@ fn write_page(page: &WebPage, folder: &Folder) -> Result<usize> {
 }
 
 /// Makes a page, and reports its contents.
-pub fn make(
+fn make(
     shown: &Shown,
     half_grids: bool,
     cameras: &[Camera],
@@ -198,18 +133,13 @@ pub fn make(
 }
 
 /// The cameras of a page: the named ones, or the run's. A scene's file alone has none.
-pub fn cameras(
-    shown: &Shown,
-    data: &DataArgs,
-    usage: &str,
-    console: Console,
-) -> Result<Vec<Camera>> {
+fn cameras(shown: &Shown, data: &DataArgs, console: Console) -> Result<Vec<Camera>> {
     let Shown { source, cameras: named, .. } = shown;
     let named = named.as_deref();
     if named.is_none() && !data.is_given() && source.settings()?.is_none() {
         return Ok(Vec::new());
     }
-    Ok(Cameras::load(source, named, data, usage, console)?.list)
+    Ok(Cameras::load(source, named, data, USAGE, console)?.list)
 }
 
 /// The page's folder. Refuses a folder that holds another page, or a training run.

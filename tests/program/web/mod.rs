@@ -398,35 +398,3 @@ fn a_page_replaces_no_other() {
         assert_eq!(sandbox.run(&words).code, Some(2), "{words}");
     }
 }
-
-#[test]
-fn a_gallery_leads_to_its_pages() {
-    let sandbox = Sandbox::new("tiny");
-    sandbox.copy_file("scene.safetensors", "other/scene.safetensors");
-    let scenes = "scene.safetensors other/scene.safetensors";
-    let words = format!("export-web --gallery {scenes} -o site --size 64x48 --title Mine");
-    sandbox.run(&words).assert_ok();
-    let element =
-        sandbox.run("export-web scene.safetensors -o page --size 64x48 --embed").assert_ok().stdout;
-    assert!(element.starts_with("<iframe src=\"page/index.html?embed\""), "{element}");
-    for (words, parts) in [
-        ("--gallery scene.safetensors none.safetensors -o new", "none.safetensors"),
-        ("scene.safetensors --gallery scene.safetensors -o new", "cannot be used with"),
-        ("-o new", "required"),
-    ] {
-        sandbox.run(&format!("export-web {words}")).assert_refused(&[parts]);
-    }
-    assert!(!sandbox.path("new").exists());
-
-    let Some(program) = program() else { return };
-    let listed = "[...document.querySelectorAll('a')].map((a) => a.getAttribute('href'))";
-    let pictured =
-        "[...document.images].every((image) => image.complete && image.naturalWidth > 0)";
-    let mut page = Page::open(program, &url(&sandbox.path("site/index.html")), WINDOW);
-    assert_eq!(page.eval("document.title"), "Mine \u{b7} organza");
-    assert_eq!(page.eval(listed), json!(["scene/index.html", "scene-2/index.html"]));
-    page.wait(pictured);
-    page.screenshot("web-gallery");
-    page.eval("document.querySelectorAll('a')[1].click()");
-    page.wait("location.pathname.endsWith('scene-2/index.html') && document.documentElement?.dataset.ready !== undefined");
-}

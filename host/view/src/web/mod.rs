@@ -9,7 +9,7 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use glam::DVec3;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, PreEscaped, html};
 use serde_json::{Value, json};
 
 use crate::home::home;
@@ -213,48 +213,6 @@ fn by_place(bytes: &[u8]) -> Vec<u8> {
     (0..4).flat_map(|place| bytes.iter().skip(place).step_by(4).copied()).collect()
 }
 
-/// A scene's page in a gallery.
-#[derive(Clone, Debug)]
-pub struct Card {
-    /// Title of the page.
-    pub title: String,
-    /// Name of the page's folder, beside the gallery's document.
-    pub folder: String,
-}
-
-const GALLERY_STYLE: &str = include_str!("page/gallery.css");
-
-/// The document of a gallery.
-pub fn gallery(title: &str, cards: &[Card]) -> String {
-    let body = html! {
-        h1 { (title) }
-        main {
-            @for Card { title, folder } in cards {
-                a href={ (folder) "/index.html" } {
-                    img src={ (folder) "/poster.jpg" } alt="";
-                    span { (title) }
-                }
-            }
-        }
-    };
-    document(title, GALLERY_STYLE, &body)
-}
-
-/// The element that shows a page within another one. `path` is the page's, relative to that other one.
-pub fn embedding(title: &str, path: &str) -> String {
-    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
-    let escaped = |byte: u8| match is_plain(byte) {
-        true => char::from(byte).to_string(),
-        false => format!("%{byte:02X}"),
-    };
-    let address: String = path.bytes().map(escaped).collect();
-    let element = html! {
-        iframe src={ (address) "?embed" } title=(title) loading="lazy" allow="fullscreen"
-            style="width: 100%; aspect-ratio: 16 / 9; border: 0" {}
-    };
-    element.into_string()
-}
-
 /// The modules. Each comes after those that it imports.
 const SCRIPTS: [&str; 6] = [
     include_str!("../page/camera.js"),
@@ -288,11 +246,6 @@ fn html(title: &str, poster: &str, scripts: &str) -> String {
         h1 id="title" { (title) }
     };
     let body = BODY.replacen("<!-- poster and title -->", &picture.into_string(), 1);
-    document(title, STYLE, &html! { (PreEscaped(body)) (PreEscaped(scripts)) })
-}
-
-/// A document of organza.
-fn document(title: &str, style: &str, body: &Markup) -> String {
     let icon = STANDARD.encode(ICON);
     let page = html! {
         (DOCTYPE)
@@ -303,9 +256,9 @@ fn document(title: &str, style: &str, body: &Markup) -> String {
                 meta name="generator" content=(concat!("organza ", env!("CARGO_PKG_VERSION")));
                 title { (title) " · organza" }
                 link rel="icon" href={ "data:image/svg+xml;base64," (icon) };
-                style { (PreEscaped(style)) }
+                style { (PreEscaped(STYLE)) }
             }
-            body { (body) }
+            body { (PreEscaped(body)) (PreEscaped(scripts)) }
         }
     };
     page.into_string()
@@ -461,15 +414,6 @@ fn kernels_of(frames: &[Value]) -> Result<Vec<Value>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn names_are_escaped() {
-        let card = Card { title: "<b>".to_owned(), folder: "b".to_owned() };
-        let page = gallery("A & B", &[card]);
-        assert!(page.contains("<h1>A &amp; B</h1>") && page.contains("<span>&lt;b&gt;</span>"));
-        let element = embedding("\"", "my page#1/index.html");
-        assert!(element.contains("src=\"my%20page%231/index.html?embed\" title=\"&quot;\""));
-    }
 
     #[test]
     fn the_script_is_no_module_and_ends_no_element() {

@@ -61,7 +61,7 @@ pub use muslin_device::{
 };
 pub use organza_core::{
     Camera, Channel, Error, Gradient, Image, RenderReport, RenderedTiles, Result, Scene, Tile,
-    TileBatch, camera, demo, edit, error, image, metrics, scene, tile,
+    TileBatch, camera, demo, error, image, metrics, scene, tile,
 };
 #[cfg(feature = "train")]
 pub use organza_data as data;

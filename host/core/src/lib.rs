@@ -5,7 +5,6 @@
 mod atomic_file;
 pub mod camera;
 pub mod demo;
-pub mod edit;
 pub mod error;
 pub mod halves;
 mod hex;

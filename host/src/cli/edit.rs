@@ -2,19 +2,17 @@
 
 use std::path::PathBuf;
 
-use organza::data::{Background, Dataset};
-use organza::edit::Region;
 use organza::render::Contributions;
-use organza::scene::Placement;
+use organza::scene::is_in_box;
 use organza::{Camera, Renderer, Result, Scene};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
 use super::device::DeviceArgs;
-use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
+use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::check_scene_file;
 use super::summary::{Table, count, grouped};
-use super::{eval, number_in, numbers, refuse, text_of};
+use super::{number_in, numbers, refuse, text_of};
 
 const USAGE: &str = "organza edit SCENE DATA -o NEW";
 
@@ -23,12 +21,12 @@ Examples:
   organza edit run -o small.safetensors --min-contribution      without what no photograph shows
   organza edit run -o clean.safetensors --clean 0.3               without floaters; view --edit shows each strength
   organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
-  organza edit run -o rest.safetensors --sphere 0,0,1,0.5 --outside
+  organza edit run -o rest.safetensors --box -1,-1,0,1,1,2 --outside
   organza edit scene.safetensors data/fox -o small.safetensors --min-contribution=0.5
-  organza edit run -o in-meters.safetensors --measured 0,0,0,1.2,0,0.4,0.25    two points, 25 cm apart
+  organza edit run -o in-meters.safetensors --scale 0.2           a unit of the data set is 20 cm
 
-The rules apply in this order: box and sphere, contribution, floaters. Contribution and floaters are \
-measured once, in the scene that box and sphere have left. \
+The rules apply in this order: box, contribution, floaters. Contribution and floaters are measured once, in the scene \
+that the box has left. \
 The result is a scene's file, for every command that takes a scene.";
 
 /// Remove Gaussians from a scene: crop it, clean it, make it smaller; or give it a scale
@@ -45,11 +43,8 @@ pub struct Args {
     /// Keep what is inside an upright box: two opposite corners. Its edges lie along the scene's own axes
     #[arg(long = "box", value_name = "X,Y,Z,X,Y,Z", value_parser = parse_box, allow_hyphen_values = true)]
     cuboid: Option<[[f64; 3]; 2]>,
-    /// Keep what is inside a ball: its center and its radius
-    #[arg(long, value_name = "X,Y,Z,R", value_parser = parse_sphere, allow_hyphen_values = true)]
-    sphere: Option<([f64; 3], f64)>,
-    /// Remove what is inside the box or the ball, instead of what is outside
-    #[arg(long)]
+    /// Remove what is inside the box, instead of what is outside
+    #[arg(long, requires = "cuboid")]
     outside: bool,
     /// Remove Gaussians that contribute no more than this to all views together, in pixels. With 0, the views stay as
     /// they are, to the bit
@@ -60,12 +55,9 @@ pub struct Args {
     #[arg(long, value_name = "STRENGTH", value_parser = number_in(0.0..=1.0, "a number from 0 to 1"))]
     clean: Option<f64>,
     /// The scene's scale: meters in one unit of its data set. Exported files are then in meters
-    #[arg(long, value_name = "METERS", conflicts_with = "measured")]
+    #[arg(long, value_name = "METERS")]
     #[arg(value_parser = number_in(f64::MIN_POSITIVE.., "meters above 0"))]
     scale: Option<f64>,
-    /// The scene's scale, from two points of the data set's space and their distance in meters
-    #[arg(long, value_name = "X,Y,Z,X,Y,Z,METERS", value_parser = parse_measured, allow_hyphen_values = true)]
-    measured: Option<f64>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -78,24 +70,6 @@ pub struct Args {
 fn parse_box(text: &str) -> Result<[[f64; 3]; 2], String> {
     let corners = numbers(text).map(|[a, b, c, d, e, f]| [[a, b, c], [d, e, f]]);
     corners.ok_or_else(|| "expected two corners X,Y,Z,X,Y,Z such as -1,-1,0,1,1,2".to_owned())
-}
-
-fn parse_sphere(text: &str) -> Result<([f64; 3], f64), String> {
-    match numbers(text) {
-        Some([x, y, z, radius]) if radius > 0.0 => Ok(([x, y, z], radius)),
-        _ => Err("expected a center and a radius X,Y,Z,R such as 0,0,1,0.5".to_owned()),
-    }
-}
-
-/// Meters in one unit, given two points and the meters between them.
-fn parse_measured(text: &str) -> Result<f64, String> {
-    let scale = numbers(text).map(|[a, b, c, d, e, f, meters]: [f64; 7]| {
-        meters / [a - d, b - e, c - f].iter().map(|x| x * x).sum::<f64>().sqrt()
-    });
-    scale.filter(|scale| scale.is_normal() && *scale > 0.0).ok_or_else(|| {
-        "expected two different points and their distance X,Y,Z,X,Y,Z,METERS such as 0,0,0,1,0,0,0.25"
-            .to_owned()
-    })
 }
 
 /// The Gaussians that a rule has removed.
@@ -114,98 +88,57 @@ struct Report {
     gaussians_before: usize,
     removed: Vec<Removed>,
     gaussians: usize,
-    /// Of the held-out views, in decibels.
-    psnr_before: Option<f64>,
-    psnr: Option<f64>,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    args.check()?;
+    if args.cuboid.is_none() && !args.renders_views() && args.scale.is_none() {
+        return refuse(
+            "there is nothing to do: give `--box`, `--min-contribution`, `--clean` or `--scale`",
+        );
+    }
     let source = SceneSource::find(&args.scene)?;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.data.as_deref()).collect();
     check_scene_file(&args.output, &inputs)?;
-    let scene = source.load(console)?;
+    let mut scene = source.load(console)?;
     let gaussians_before = scene.gaussians.len();
     // before any view is rendered, so that a box beside the scene costs no time
-    let mut edited = scene.clone();
-    let mut removed = args.crop(&mut edited)?;
-    let cameras = match args.renders_views() {
-        true => Cameras::load(&source, args.data.as_deref(), &args.data_args, USAGE, console)?.list,
-        false => Vec::new(),
-    };
-    let renderer = args.device.open(console)?;
-    let photographs = photographs(args, &source, &scene, &renderer, console)?;
-    let psnr = |scene: &Scene| match &photographs {
-        Some(photographs) => held_out_psnr(photographs, scene, &renderer, console),
-        None => Ok(None),
-    };
-    let psnr_before = psnr(&scene)?;
-    if !cameras.is_empty() {
-        args.by_contribution(&mut edited, &cameras, &renderer, &mut removed, console)?;
+    let mut removed = args.crop(&mut scene)?;
+    if args.renders_views() {
+        let data = args.data.as_deref();
+        let cameras = Cameras::load(&source, data, &args.data_args, USAGE, console)?.list;
+        let renderer = args.device.open(console)?;
+        args.by_contribution(&mut scene, &cameras, &renderer, &mut removed, console)?;
     }
-    let placement = &mut edited.config.placement;
-    placement.meters = args.scale.or(args.measured).or(placement.meters);
-    edited.save(&args.output)?;
+    let placement = &mut scene.config.placement;
+    placement.meters = args.scale.or(placement.meters);
+    scene.save(&args.output)?;
     let report = Report {
         scene: text_of(&args.output),
         gaussians_before,
         removed,
-        gaussians: edited.gaussians.len(),
-        psnr_before,
-        psnr: psnr(&edited)?,
+        gaussians: scene.gaussians.len(),
     };
     console.note(&format!("wrote {}", args.output.display()));
     if args.json { print_json(&report) } else { print(&text(&report)) }
 }
 
 impl Args {
-    fn check(&self) -> Result<()> {
-        let has_region = self.cuboid.is_some() || self.sphere.is_some();
-        if self.outside && !has_region {
-            return refuse("`--outside` needs `--box` or `--sphere`");
-        }
-        let has_scale = self.scale.is_some() || self.measured.is_some();
-        if has_region || self.renders_views() || has_scale {
-            return Ok(());
-        }
-        refuse(
-            "there is nothing to do: give `--box`, `--sphere`, `--min-contribution`, `--clean`, \
-             `--scale` or `--measured`",
-        )
-    }
-
     /// Whether a rule looks at what Gaussians contribute to views.
     fn renders_views(&self) -> bool {
         self.min_contribution.is_some() || self.clean.is_some()
     }
 
-    /// Box and sphere, in the scene's coordinates.
-    fn regions(&self, placement: &Placement) -> Vec<(Region, &'static str)> {
-        let own = |place| placement.own(place).map(|x| x as f32);
-        let cuboid = self.cuboid.map(|corners| {
-            let [a, b] = corners.map(own);
-            let low = std::array::from_fn(|axis| a[axis].min(b[axis]));
-            let high = std::array::from_fn(|axis| a[axis].max(b[axis]));
-            (Region::Box { low, high }, "box")
-        });
-        let sphere = self.sphere.map(|(center, radius)| {
-            let radius = (radius / placement.scale) as f32;
-            (Region::Sphere { center: own(center), radius }, "ball")
-        });
-        cuboid.into_iter().chain(sphere).collect()
-    }
-
-    /// Applies box and sphere.
+    /// Applies the box, which is given in coordinates of the world.
     fn crop(&self, scene: &mut Scene) -> Result<Vec<Removed>> {
-        let mut removed = Vec::new();
+        let Some(corners) = self.cuboid else { return Ok(Vec::new()) };
+        let [a, b] = corners.map(|place| scene.config.placement.own(place).map(|x| x as f32));
+        let low = std::array::from_fn(|axis| a[axis].min(b[axis]));
+        let high = std::array::from_fn(|axis| a[axis].max(b[axis]));
         let side = if self.outside { "inside" } else { "outside" };
-        for (region, name) in self.regions(&scene.config.placement) {
-            let is_kept = |i: usize, scene: &Scene| {
-                region.contains(scene.gaussians.position[i]) != self.outside
-            };
-            removed.push(keep(scene, format!("{side} the {name}"), is_kept)?);
-        }
-        Ok(removed)
+        let is_kept = |i: usize, scene: &Scene| {
+            is_in_box([low, high], scene.gaussians.position[i]) != self.outside
+        };
+        Ok(vec![keep(scene, format!("{side} the box"), is_kept)?])
     }
 
     /// The rules for which views are rendered.
@@ -266,45 +199,6 @@ fn keep(
     Ok(Removed { rule, gaussians: before - kept.len(), weight: None })
 }
 
-/// The held-out photographs, if there are any.
-fn photographs(
-    args: &Args,
-    source: &SceneSource,
-    scene: &Scene,
-    renderer: &Renderer,
-    console: Console,
-) -> Result<Option<Dataset>> {
-    let named = args.data.as_deref();
-    let has_photographs = match named {
-        Some(named) => args.data_args.names_photographs(named),
-        None => source.settings()?.is_some(),
-    };
-    if !has_photographs {
-        return Ok(None);
-    }
-    let mut settings = args.data_args.settings(source, named, USAGE)?;
-    let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
-    settings.background = Background::Color(of_scene);
-    let data = DataSet::of(source, named, settings, console)?;
-    if !data.cameras()?.iter().any(|pose| pose.held_out) {
-        console.note("no photograph is held out, so PSNR is not measured");
-        return Ok(None);
-    }
-    data.only(Split::HeldOut)?.read(renderer, console).map(Some)
-}
-
-fn held_out_psnr(
-    photographs: &Dataset,
-    scene: &Scene,
-    renderer: &Renderer,
-    console: Console,
-) -> Result<Option<f64>> {
-    let uploaded = renderer.upload(scene)?;
-    let frames: Vec<_> = photographs.held_out_frames().collect();
-    let measured = eval::measure(renderer, &uploaded, &frames, false, console)?;
-    Ok(measured.mean.psnr)
-}
-
 fn text(report: &Report) -> String {
     let mut table = Table::new(1, ["", "Gaussians", "of the views"]);
     let mut row = |name: &str, gaussians: String, weight: Option<f64>| {
@@ -317,12 +211,5 @@ fn text(report: &Report) -> String {
         row(rule, format!("{sign}{}", grouped(*gaussians as u64)), *weight);
     }
     row("after", grouped(report.gaussians as u64), None);
-    let mut text = table.to_string();
-    if let (Some(before), Some(after)) = (report.psnr_before, report.psnr) {
-        let change = after - before;
-        text += &format!(
-            "\nheld-out PSNR: {before:.3} dB before, {after:.3} dB after ({change:+.3})\n"
-        );
-    }
-    text
+    table.to_string()
 }

@@ -1,6 +1,6 @@
 //! Removes parts of a scene for a page.
 //!
-//! The scene on the device is replaced by one of the Gaussians that are left. So every image, number and film shows them.
+//! The scene on the device is replaced by one of the Gaussians that are left. So every image and number shows them.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,10 +10,9 @@ use serde::{Deserialize, Serialize};
 
 use super::message::{MAX_SIDE, check};
 use super::training::Stage;
-use organza_core::edit::Region;
 use organza_core::error::refuse;
 use organza_core::image::{ChannelImage, TILE_SIDE};
-use organza_core::scene::{Gaussians, Scene};
+use organza_core::scene::{Gaussians, Scene, is_in_box};
 use organza_core::{Camera, Channel, Result, TileBatch, check_writable};
 use organza_render::{Contributions, DeviceScene, UploadOptions};
 
@@ -196,10 +195,9 @@ impl Editor {
             EditRequest::Clean(strength) => self.clean(stage, *strength)?,
             EditRequest::Keep => self.is_hidden = false,
             EditRequest::Crop(Crop { low, high, outside }) => {
-                let region = Region::Box { low: *low, high: *high };
                 let places = self.scene.gaussians.position.iter();
                 let removed: Vec<_> =
-                    places.map(|&place| region.contains(place) != *outside).collect();
+                    places.map(|&place| is_in_box([*low, *high], place) != *outside).collect();
                 self.remove(stage, &removed)?;
             }
             EditRequest::Meters(meters) if meters.is_normal() && *meters > 0.0 => {

@@ -157,6 +157,11 @@ pub fn bounds(position: &[[f32; 3]], log_scale: &[[f32; 3]], opacity: &[f32]) ->
     [ends.map(|[low, _]| low - margin), ends.map(|[_, high]| high + margin)]
 }
 
+/// Whether a place lies in a box along the axes, whose surface belongs to it: its corners with the smallest and the largest coordinates.
+pub fn is_in_box([low, high]: [[f32; 3]; 2], place: [f32; 3]) -> bool {
+    (0..3).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]))
+}
+
 /// Weighted quantiles: the values at which the summed weights reach the given parts; 0 without values.
 fn quantiles<const N: usize>(
     values: impl Iterator<Item = (f32, f64)>,

@@ -1,6 +1,6 @@
 // The distance between two places, by two clicks. A known distance gives the scene meters.
 
-import { digits, length, project, sub, toWorld, unproject } from "./camera.js";
+import { length, project, sub, unproject } from "./camera.js";
 import { $, css } from "./page.js";
 
 export class Measure {
@@ -52,8 +52,7 @@ export class Measure {
     $("distance").textContent = problem ?? (distance ? known : places.length ? "Click the other end." : "Click two places.");
     $("known").hidden = !distance;
     $("set-meters").disabled = !meters;
-    const ends = () => places.flatMap((place) => toWorld(placement, place)).map(digits(distance)).join(",");
-    $("measure-words").textContent = meters && !this.edit ? `organza edit … --measured ${ends()},${$("meters").value}` : "";
+    $("measure-words").textContent = meters && !this.edit ? `organza edit … --scale ${meters.toPrecision(4)}` : "";
   }
 
   // The scene that is saved then has meters.

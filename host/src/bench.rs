@@ -1,7 +1,5 @@
 //! Measures a batch, forward and backward, and its kernels.
 
-mod synthetic;
-
 use serde::Serialize;
 
 use crate::camera::Camera;
@@ -14,7 +12,6 @@ use muslin_device::{Device, memory};
 use organza_core::RenderReport;
 
 pub use muslin_check::bench::KernelShare;
-pub use synthetic::Synthetic;
 
 /// Options of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 
 use muslin_check::bench::{self, table};
-use organza::bench::{BenchOptions, Benchmark, Synthetic, measure, passes};
+use organza::bench::{BenchOptions, Benchmark, measure, passes};
 use organza::camera::Orbit;
 use organza::error::{DeviceError, chain};
 use organza::image::TILE_SIDE;
-use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
+use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch, demo};
 
 use super::console::{Console, print, print_json};
+use super::demo::built_in;
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::summary::{Table, count, grouped};
@@ -36,7 +37,7 @@ file and without a GPU's memory.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors, or the folder of a training run [default: synthetic, 20,000 Gaussians in 64 tiles]
+    /// The scene, safetensors, or the folder of a training run [default: what `organza demo` writes]
     #[arg(required_if_eq("frame", "true"))]
     scene: Option<PathBuf>,
     /// The cameras: nerfstudio's transforms.json, or a data set
@@ -80,10 +81,8 @@ struct Workload {
 impl Args {
     fn workload(&self, console: Console) -> Result<Workload> {
         let Some(scene) = &self.scene else {
-            let synthetic = Synthetic::new()?;
-            let cameras = synthetic.cameras.clone();
-            let batch = synthetic.batch.clone();
-            return Ok(Workload { scene: Box::new(move || synthetic.scene()), cameras, batch });
+            let (cameras, batch) = built_in();
+            return Ok(Workload { scene: Box::new(|| Ok(demo::scene())), cameras, batch });
         };
         let source = SceneSource::find(scene)?;
         let usage = "organza bench SCENE CAMERAS TILES";

@@ -187,6 +187,13 @@ impl Sheet {
     }
 }
 
+/// The cameras and the tiles of the built-in scene, unless the user asks for others.
+pub fn built_in() -> (Vec<Camera>, TileBatch) {
+    let cameras = demo::turntable(VIEWS.into(), SIDE);
+    let tiles = center_tiles(&cameras);
+    (cameras, tiles)
+}
+
 /// A tile in the center of each of the first views.
 fn center_tiles(cameras: &[Camera]) -> TileBatch {
     let origin = |camera: &Camera| {

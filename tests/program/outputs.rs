@@ -78,7 +78,7 @@ fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
     symlink(&mine, sandbox.path("images/view-000.png")).unwrap();
     symlink("/dev/zero", sandbox.path("frames/00000.png")).unwrap();
     pipe("pipes/00000.png");
-    symlink(&mine, sandbox.path("demo/turntable.png")).unwrap();
+    symlink(&mine, sandbox.path("demo/0000.png")).unwrap();
     symlink(&mine, sandbox.path("page/index.html")).unwrap();
     for words in [
         "render run -o images --split all --backend cpu",

@@ -32,8 +32,8 @@ const BAND_PIXELS: u64 = 1 << 23;
 ///
 /// let image = Image::new(64, 48)?; // black
 /// let folder = tempfile::tempdir().expect("a folder");
-/// image.shrink(2)?.save_png(folder.path().join("small.png"))?;
-/// assert_eq!(image.shrink(2)?.size(), [32, 24]);
+/// image.save_png(folder.path().join("black.png"))?;
+/// assert_eq!(image.size(), [64, 48]);
 /// # Ok::<(), organza_core::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -145,42 +145,6 @@ impl Image {
         };
         let rows = self.pixels.par_chunks_mut((width as usize).max(1)).enumerate();
         self.not_finite += rows.map(paste).sum::<u64>();
-    }
-
-    /// Copies `other` to column `left` and row `top`. Parts beyond the edge are cut off.
-    pub fn paste_image(&mut self, other: &Self, [left, top]: [u32; 2]) {
-        let columns = other.width.min(self.width.saturating_sub(left)) as usize;
-        let rows = other.height.min(self.height.saturating_sub(top)) as usize;
-        for row in 0..rows {
-            let from = row * other.width as usize;
-            let to = (top as usize + row) * self.width as usize + left as usize;
-            self.pixels[to..to + columns].copy_from_slice(&other.pixels[from..from + columns]);
-        }
-    }
-
-    /// A smaller image: each pixel is the mean of a square of `factor` x `factor` pixels. Pixels at the right and lower edges
-    /// that do not fill a square are cut off.
-    ///
-    /// # Errors
-    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
-    pub fn shrink(&self, factor: u32) -> Result<Self> {
-        let factor = factor.max(1);
-        let mut small = Self::new(self.width / factor, self.height / factor)?;
-        let width = small.width.max(1) as usize;
-        let area = factor * factor;
-        for (index, pixel) in small.pixels.iter_mut().enumerate() {
-            let left = index % width * factor as usize;
-            let top = index / width * factor as usize;
-            let mut sum = [0_u32; 3];
-            for row in top..top + factor as usize {
-                let first = row * self.width as usize + left;
-                for color in &self.pixels[first..first + factor as usize] {
-                    sum.iter_mut().zip(color).for_each(|(sum, &value)| *sum += u32::from(value));
-                }
-            }
-            *pixel = sum.map(|sum| ((sum + area / 2) / area) as u8);
-        }
-        Ok(small)
     }
 
     /// Writes the image as PNG, atomically.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use organza::data::encode_jpeg;
 use organza::image::TILE_SIDE;
 use organza::still_life;
-use organza::{Camera, Error, Image, Renderer, Result, Scene, Tile, TileBatch, demo};
+use organza::{Camera, Error, Renderer, Result, Scene, Tile, TileBatch, demo};
 use organza_core::write_atomic;
 use serde::Serialize;
 
@@ -21,16 +21,12 @@ use super::{refuse, text_of};
 /// Default number of views, and of pixels of their sides.
 const VIEWS: u16 = 24;
 const SIDE: u32 = 384;
-/// Largest width of the contact sheet, in pixels; a wider one is shrunk.
-const SHEET_WIDTH: u32 = 2400;
 
 const EXAMPLES: &str = "\
 Examples:
   organza demo -o demo
   organza demo -o demo --views 8 --size 256 --backend cpu
-  organza demo --photographs -o table      40 photographs of a still life, to try capture and train
-
-Images of an earlier call that do not belong to the new ones are removed, as `organza help render` says.";
+  organza demo --photographs -o table      40 photographs of a still life, to try capture and train";
 
 /// Render the built-in scene from all sides; needs no files
 #[derive(Debug, clap::Args)]
@@ -72,7 +68,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     for name in FILES {
         folder.file(name)?;
     }
-    let [scene_file, cameras_file, tiles_file, sheet] = FILES.map(|name| folder.join(name));
+    let [scene_file, cameras_file, tiles_file] = FILES.map(|name| folder.join(name));
     scene.save(&scene_file)?;
     Camera::save_all(&cameras_file, &cameras)?;
     center_tiles(&cameras).save(&tiles_file)?;
@@ -80,15 +76,15 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     console.note(&next_steps(&args.output, &cameras));
     if args.json {
         let folder = text_of(&args.output);
-        let [scene, cameras, tiles, sheet] =
-            [scene_file, cameras_file, tiles_file, sheet].map(|file| text_of(&file));
-        return print_json(&Made { folder, scene, cameras, tiles, sheet, images, cost });
+        let [scene, cameras, tiles] =
+            [scene_file, cameras_file, tiles_file].map(|file| text_of(&file));
+        return print_json(&Made { folder, scene, cameras, tiles, images, cost });
     }
     Ok(())
 }
 
 /// The files besides the views.
-const FILES: [&str; 4] = ["scene.safetensors", "cameras.json", "tiles.json", "turntable.png"];
+const FILES: [&str; 3] = ["scene.safetensors", "cameras.json", "tiles.json"];
 
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
@@ -97,7 +93,6 @@ struct Made {
     scene: String,
     cameras: String,
     tiles: String,
-    sheet: String,
     images: Vec<Picture>,
     #[serde(flatten)]
     cost: Cost,
@@ -130,7 +125,6 @@ fn render(
     let pictures = Pictures { renderer, scene, cameras, stop: None };
     let views: Vec<_> = (0..cameras.len()).collect();
     let names = names(cameras);
-    let mut sheet = Sheet::new(cameras)?;
     let mut summary = Summary::start();
     let mut images = Vec::new();
     let mut not_finite = 0;
@@ -142,49 +136,14 @@ fn render(
             let file = folder.file(&format!("{}.png", names[view]))?;
             image.save_png(&file)?;
             images.push(Picture::new(view, &file, &cameras[view]));
-            sheet.add(&image)?;
             not_finite += image.not_finite();
         }
     }
-    sheet.image.save_png(folder.join("turntable.png"))?;
     let size = cameras[0].width;
     let number = count(cameras.len() as u64, "image");
     summary.say(&format!("{number} of {size} x {size}"), console);
     warn_not_finite(console, not_finite);
     Ok((images, summary.cost(renderer, not_finite)))
-}
-
-/// All views side by side.
-#[derive(Debug)]
-struct Sheet {
-    image: Image,
-    columns: u32,
-    shrink: u32,
-    views: u32,
-}
-
-impl Sheet {
-    fn new(cameras: &[Camera]) -> Result<Self> {
-        let views = cameras.len() as u32;
-        let side = cameras[0].width;
-        let mut columns = (f64::from(views) * 1.5).sqrt().ceil() as u32;
-        // This number of rows needs no more columns than this.
-        columns = views.div_ceil(views.div_ceil(columns));
-        let shrink = (columns * side).div_ceil(SHEET_WIDTH);
-        let thumb = side / shrink;
-        let rows = views.div_ceil(columns);
-        Ok(Self { image: Image::new(columns * thumb, rows * thumb)?, columns, shrink, views: 0 })
-    }
-
-    fn add(&mut self, view: &Image) -> Result<()> {
-        let small = view.shrink(self.shrink)?;
-        let [width, height] = small.size();
-        let column = self.views % self.columns;
-        let row = self.views / self.columns;
-        self.image.paste_image(&small, [column * width, row * height]);
-        self.views += 1;
-        Ok(())
-    }
 }
 
 /// The cameras and the tiles of the built-in scene, unless the user asks for others.
@@ -204,13 +163,13 @@ fn center_tiles(cameras: &[Camera]) -> TileBatch {
 }
 
 fn next_steps(path: &Path, cameras: &[Camera]) -> String {
-    let [scene, cameras_file, tiles, sheet] = FILES.map(|name| quoted(&path.join(name)));
+    let [scene, cameras_file, tiles] = FILES.map(|name| quoted(&path.join(name)));
     let center = cameras[0].width / 2;
     let images = quoted(&path.join("views"));
     let rendered = quoted(&path.join("rendered.safetensors"));
     format!(
         "wrote {}, the scene, its cameras and tiles to {}\n\
-         look at {sheet}, then try\n  \
+         look at them, then try\n  \
          organza info {scene}\n  \
          organza explain {scene} {cameras_file} --view 0 --pixel {center},{center}\n  \
          organza render {scene} {cameras_file} -o {images} --views 0\n  \

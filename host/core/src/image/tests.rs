@@ -97,23 +97,6 @@ fn values_are_rounded_and_clamped() {
     assert_eq!(image.not_finite(), 4);
 }
 
-#[test]
-fn images_are_pasted_and_shrunk() {
-    let mut sheet = Image::new(6, 5).unwrap();
-    let mut white = Image::new(4, 4).unwrap();
-    white.pixels.fill([255; 3]);
-    sheet.paste_image(&white, [4, 3]);
-    sheet.paste_image(&white, [9, 9]);
-    assert_eq!(sheet.pixels().iter().filter(|pixel| pixel[0] == 255).count(), 4);
-    let small = sheet.shrink(2).unwrap();
-    assert_eq!(small.size(), [3, 2]);
-    assert_eq!(
-        small.pixels().iter().map(|pixel| pixel[1]).collect::<Vec<_>>(),
-        [0, 0, 0, 0, 0, 128]
-    );
-    assert_eq!(sheet.shrink(1).unwrap(), sheet);
-}
-
 fn decode(path: &Path) -> (png::Info<'static>, Vec<u8>) {
     let decoder = png::Decoder::new(io::BufReader::new(std::fs::File::open(path).unwrap()));
     let mut reader = decoder.read_info().unwrap();

@@ -67,20 +67,15 @@ impl FrameRenderer {
                 let _ =
                     reply.send(self.answer(stage, &question).map_err(|error| error::chain(&error)));
             }
-            NextJob::Frame(job) => {
-                let begin = Instant::now();
-                let rendered = self.frame(stage, &job);
-                self.queue.charge(job.request.client, begin.elapsed());
-                match rendered {
-                    Ok(Some(rendered)) => {
-                        let _ = job.reply.send(Ok(rendered));
-                    }
-                    Ok(None) => self.queue.put_back(job),
-                    Err(error) => {
-                        let _ = job.reply.send(Err(error::chain(&error)));
-                    }
+            NextJob::Frame(job) => match self.frame(stage, &job) {
+                Ok(Some(rendered)) => {
+                    let _ = job.reply.send(Ok(rendered));
                 }
-            }
+                Ok(None) => self.queue.put_back(job),
+                Err(error) => {
+                    let _ = job.reply.send(Err(error::chain(&error)));
+                }
+            },
         }
         // a training measures its own kernels
         let _ = stage.renderer.device().take_timings();

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use muslin_check::bench::{self, table};
 use organza::bench::{BenchOptions, Benchmark, measure, passes};
 use organza::camera::Orbit;
-use organza::error::{DeviceError, chain};
 use organza::image::TILE_SIDE;
-use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch, demo};
+use organza::{Camera, Result, Scene, TileBatch, demo};
 
 use super::console::{Console, print, print_json};
 use super::demo::built_in;
@@ -20,7 +19,6 @@ use super::{image_size, refuse};
 const EXAMPLES: &str = "\
 Examples:
   organza bench                                             no files needed
-  organza bench --every-device
   organza bench scene.safetensors cameras.json tiles.json
   organza bench scene.safetensors cameras.json tiles.json --backend cpu --threads 1 --json
   organza bench scene.safetensors cameras.json tiles.json --forward --repeat 20
@@ -57,9 +55,6 @@ pub struct Args {
     /// Size of the image, in pixels
     #[arg(long, value_name = "WxH", value_parser = image_size, default_value = "1920x1080", requires = "frame")]
     size: [u32; 2],
-    /// Measure the CPU and then each GPU; `--json` then prints a list
-    #[arg(long, conflicts_with_all = ["backend", "adapter"])]
-    every_device: bool,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -71,9 +66,9 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-/// The batch to render. The scene is read or made again for each device.
+/// The batch to render.
 struct Workload {
-    scene: Box<dyn Fn() -> Result<Scene>>,
+    scene: Scene,
     cameras: Vec<Camera>,
     batch: TileBatch,
 }
@@ -82,7 +77,7 @@ impl Args {
     fn workload(&self, console: Console) -> Result<Workload> {
         let Some(scene) = &self.scene else {
             let (cameras, batch) = built_in();
-            return Ok(Workload { scene: Box::new(|| Ok(demo::scene())), cameras, batch });
+            return Ok(Workload { scene: demo::scene(), cameras, batch });
         };
         let source = SceneSource::find(scene)?;
         let usage = "organza bench SCENE CAMERAS TILES";
@@ -97,57 +92,34 @@ impl Args {
         let batch = load_batch(tiles)?;
         let cameras = Cameras::load(&source, Some(cameras), &self.data, usage, console)?.list;
         batch.validate(&cameras).map_err(|error| error.in_file(tiles))?;
-        Ok(Workload { scene: Box::new(move || source.load(console)), cameras, batch })
+        Ok(Workload { scene: source.load(console)?, cameras, batch })
     }
 
     /// One image.
     fn frame(&self, source: SceneSource, console: Console) -> Result<Workload> {
         let usage = "organza bench SCENE CAMERAS --frame";
+        let scene = source.load(console)?;
         let camera = if self.cameras.is_some() || source.settings()?.is_some() {
             let cameras =
                 Cameras::load(&source, self.cameras.as_deref(), &self.data, usage, console)?;
             cameras.list[0].with_size(self.size)
         } else {
-            Orbit::from_box(source.load(console)?.visible_box(), self.size).cameras(1)?.remove(0)
+            Orbit::from_box(scene.visible_box(), self.size).cameras(1)?.remove(0)
         };
         let [width, height] = self.size;
         let batch = TileBatch::cover(0, width, height, TILE_SIDE)?;
-        Ok(Workload { scene: Box::new(move || source.load(console)), cameras: vec![camera], batch })
+        Ok(Workload { scene, cameras: vec![camera], batch })
     }
 
-    /// Measures the workload on one device.
-    fn measure(
-        &self,
-        workload: &Workload,
-        device: &DeviceOptions,
-        console: Console,
-    ) -> Result<Benchmark> {
-        let scene = (workload.scene)()?;
-        let renderer = self.device.open_as(device, console)?;
+    fn measure(&self, workload: Workload, console: Console) -> Result<Benchmark> {
+        let Workload { scene, cameras, batch } = workload;
+        let renderer = self.device.open(console)?;
         // the host's copy is dropped: rendering does not need it
         let scene = self.scene_args.upload(&renderer, &{ scene })?;
         let backward = !self.forward && !self.frame;
         let options = BenchOptions { repeat: self.repeat as usize, backward, frame: self.frame };
         let progress = console.progress("measuring", passes(renderer.device(), options), "passes");
-        let cameras = &workload.cameras;
-        let batch = &workload.batch;
-        measure(&renderer, &scene, cameras, batch, options, &mut || progress.advance(1))
-    }
-
-    /// Measures the workload on every usable device.
-    fn measure_every(&self, workload: &Workload, console: Console) -> Result<Vec<Benchmark>> {
-        let mut found = Vec::new();
-        for device in self.device.every()? {
-            match self.measure(workload, &device, console) {
-                Ok(benchmark) => found.push(benchmark),
-                // another GPU may be usable
-                Err(error @ Error::Device(DeviceError::NoGpu { .. })) => {
-                    console.warn(&chain(&error))
-                }
-                Err(error) => return Err(error),
-            }
-        }
-        Ok(found)
+        measure(&renderer, &scene, &cameras, &batch, options, &mut || progress.advance(1))
     }
 }
 
@@ -155,13 +127,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.scene_args.half_grids && !args.forward && !args.frame {
         return refuse("`--half-grids` has no gradients; add `--forward`");
     }
-    let workload = args.workload(console)?;
-    if args.every_device {
-        let found = args.measure_every(&workload, console)?;
-        let texts = || found.iter().map(text).collect::<Vec<_>>().join("\n");
-        return if args.json { print_json(&found) } else { print(&texts()) };
-    }
-    let benchmark = args.measure(&workload, &args.device.options()?, console)?;
+    let benchmark = args.measure(args.workload(console)?, console)?;
     if args.json { print_json(&benchmark) } else { print(&text(&benchmark)) }
 }
 

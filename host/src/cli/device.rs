@@ -4,7 +4,6 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
-use muslin_device::{AdapterInfo, adapters};
 use organza::{
     BackendChoice, DeviceOptions, DeviceScene, InstructionSet, Renderer, Result, Scene, SpirvPath,
     UploadOptions,
@@ -91,7 +90,7 @@ impl DeviceArgs {
         self.open_as(&self.options()?, console)
     }
 
-    /// Opens the device of [`Self::options`] or one of [`Self::every`], and says which it is.
+    /// Opens a device of such options, and says which it is.
     pub fn open_as(&self, options: &DeviceOptions, console: Console) -> Result<Renderer> {
         let start = Instant::now();
         let device = console.during("opening the device", || organza::open_device(options))?;
@@ -102,17 +101,6 @@ impl DeviceArgs {
         }
         console.detail(&format!("opened the device in {:.2} s", start.elapsed().as_secs_f64()));
         Ok(Renderer::new(device))
-    }
-
-    /// The options for the CPU, and for each GPU of the machine.
-    pub fn every(&self) -> Result<Vec<DeviceOptions>> {
-        let options = self.options()?;
-        let cpu = options.clone().backend(BackendChoice::Cpu).spirv(None).adapter(None);
-        let gpu = |adapter: AdapterInfo| {
-            let gpu = DeviceOptions::default().backend(BackendChoice::Gpu).adapter(adapter.name);
-            gpu.spirv(options.spirv).variants(options.variants)
-        };
-        Ok(std::iter::once(cpu).chain(adapters().into_iter().map(gpu)).collect())
     }
 
     /// The device options that the arguments describe.

@@ -8,16 +8,13 @@ import warnings
 import weakref
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from . import _organza
 from ._data import Dataset
 from ._renderer import Renderer
-
-if TYPE_CHECKING:
-    from ._ranks import Ranks
 
 
 class TrainConfig:
@@ -130,12 +127,12 @@ class Training:
         self._loss = loss
         self._on_evaluation = on_evaluation
         self._step: Step | None = None
-        # also where the script ends first: messages between ranks need Python
+        # also where the script ends first
         weakref.finalize(self, core.close)
         self.evaluations: list[Evaluation] = []
         """The scores of the held-out photographs so far."""
         self.outcome: str | None = None
-        """How the run ended: "finished", "stopped" or "time limit", or "followed" on a rank that is not the first; none while it goes on."""
+        """How the run ended: "finished", "stopped" or "time limit"; none while it goes on."""
 
     def __iter__(self) -> Training:
         return self
@@ -221,7 +218,6 @@ def train(
     loss: Loss | None = None,
     on_evaluation: Callable[[Evaluation], object] | None = None,
     time_limit: float | None = None,
-    ranks: Ranks | None = None,
     renderer: Renderer | None = None,
 ) -> Training:
     """Trains a scene; iterate over what it returns.
@@ -239,54 +235,23 @@ def train(
     `on_evaluation` is called with each `Evaluation`; `time_limit` is in seconds of training. To stop early, leave the loop: the run
     saves a checkpoint and ends. Ctrl-C does the same.
 
-    `ranks` shares the run with other processes: `organza.torch.Ranks()`, in a script that torchrun starts. All call this with the same
-    arguments. The first one leads: it alone has steps to iterate over, reads and writes the folder, and stops the run. On the others the
-    loop takes part in the run and ends with it. Any number of ranks gives the same bits, as with the program's `--ranks`. Unless there is
-    a `renderer`, the ranks of a machine take its GPUs in turn.
-
-    Raises `ValueError`, `FileNotFoundError`, `MemoryError`, and `organza.Error` where training has overflowed or another
-    rank has failed.
+    Raises `ValueError`, `FileNotFoundError`, `MemoryError`, and `organza.Error` where training has overflowed.
     """
-    try:
-        core = _begin(dataset, config, output, resume, loss is not None, time_limit, ranks, renderer)
-    except BaseException as error:
-        if ranks is not None:
-            ranks.fail(str(error) or type(error).__name__)
-        raise
-    return Training(core, loss, on_evaluation)
-
-
-def _begin(
-    dataset: Dataset | str | os.PathLike[str] | None,
-    config: TrainConfig | None,
-    output: str | os.PathLike[str] | None,
-    resume: str | os.PathLike[str] | None,
-    has_loss: bool,
-    time_limit: float | None,
-    ranks: Ranks | None,
-    renderer: Renderer | None,
-) -> _organza.Training:
-    if renderer is None:
-        renderer = Renderer(place=0 if ranks is None else ranks.local_rank)
     if resume is not None:
         if output is not None or config is not None or dataset is not None:
             raise ValueError("`resume` takes the data set, the settings and the folder of the run: leave out the others")
-        # the other ranks are told, and need not see the folder
-        is_first = ranks is None or ranks.rank == 0
-        config, output = TrainConfig.from_run(resume) if is_first else TrainConfig(), resume
+        config, output = TrainConfig.from_run(resume), resume
     elif config is None:
         config = TrainConfig("built-in" if dataset is None else "default")
-    if ranks is not None and output is None:
-        raise ValueError("`ranks` share a run that has a folder: give `output`")
     loaded, path = (dataset._core, None) if isinstance(dataset, Dataset) else (None, dataset)
-    return _organza.Training(
-        renderer,
+    core = _organza.Training(
+        renderer or Renderer(),
         config._core,
         loaded,
         path,
         output,
         resume is not None,
         time_limit,
-        has_loss,
-        ranks,
+        loss is not None,
     )
+    return Training(core, loss, on_evaluation)

@@ -21,10 +21,9 @@ from torch.autograd.function import once_differentiable
 from . import _organza
 from ._cameras import Cameras, Tiles
 from ._images import whole
-from ._ranks import Ranks
 from ._renderer import Channel, Renderer, one_size
 
-__all__ = ["Fields", "Ranks", "Scene", "rasterization"]
+__all__ = ["Fields", "Scene", "rasterization"]
 
 _GAUSSIANS = "gaussians."
 

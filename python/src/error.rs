@@ -12,7 +12,7 @@ create_exception!(
     organza,
     Error,
     PyRuntimeError,
-    "organza cannot go on: there is no usable GPU, a GPU was lost, training has overflowed, or another rank has failed."
+    "organza cannot go on: there is no usable GPU, a GPU was lost, or training has overflowed."
 );
 
 /// The exception for an error. Its text is the program's.
@@ -28,9 +28,7 @@ pub fn raise(error: organza::Error) -> PyErr {
         }
         organza::Error::Device(DeviceError::OutOfMemory { .. }) => PyMemoryError::new_err(text),
         organza::Error::Device(DeviceError::Argument { .. }) => PyValueError::new_err(text),
-        organza::Error::Device(_)
-        | organza::Error::Diverged { .. }
-        | organza::Error::Rank { .. } => Error::new_err(text),
+        organza::Error::Device(_) | organza::Error::Diverged { .. } => Error::new_err(text),
         _ => PyValueError::new_err(text),
     }
 }

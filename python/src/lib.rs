@@ -6,7 +6,6 @@ mod data;
 mod error;
 mod job;
 mod metrics;
-mod ranks;
 mod renderer;
 mod scene;
 mod splats;

@@ -8,8 +8,6 @@ use std::thread::JoinHandle;
 
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray4};
 use organza::Renderer as Device;
-use organza::error::chain;
-use organza::ranks::Ranks;
 use organza::render::{LossBatch, LossGradient};
 use organza::train::report::Reporter;
 use organza::train::{
@@ -21,7 +19,6 @@ use pyo3::types::PyDict;
 use crate::data::Dataset;
 use crate::error::{invalid, raise};
 use crate::job;
-use crate::ranks::PythonRanks;
 use crate::renderer::Renderer;
 use crate::scene::Scene;
 
@@ -87,7 +84,7 @@ struct Channel {
 #[pymethods]
 impl Training {
     #[new]
-    #[pyo3(signature = (renderer, config, dataset, path, output, resume, time_limit, has_loss, ranks))]
+    #[pyo3(signature = (renderer, config, dataset, path, output, resume, time_limit, has_loss))]
     #[expect(clippy::too_many_arguments, reason = "the package names them")]
     fn new(
         py: Python<'_>,
@@ -99,9 +96,7 @@ impl Training {
         resume: bool,
         time_limit: Option<f64>,
         has_loss: bool,
-        ranks: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let ranks = ranks.map(PythonRanks::new).transpose()?.map(Arc::new);
         let mut config = config.0.clone();
         if let Some(path) = path {
             // absolute, because a run may be resumed from another folder
@@ -111,9 +106,6 @@ impl Training {
             config.data = dataset.data.clone();
         }
         config.check_memory().map_err(raise)?;
-        if let Some(ranks) = ranks.clone() {
-            config = job::run(py, move || settings_of_first(&ranks, config))?;
-        }
         // a run goes on in the coordinates of its scene
         let checkpoint = output.as_ref().filter(|_| resume).map(|path| path.join(CHECKPOINT));
         let checkpoint = checkpoint.filter(|path| path.exists());
@@ -129,8 +121,6 @@ impl Training {
             }
         };
         config.resolve(&dataset, renderer.0.device());
-        let is_first = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
-        let output = output.filter(|_| is_first);
         let folder = output.map(|path| open_folder(&path, resume)).transpose()?;
         let stop = Arc::new(AtomicBool::new(false));
         let (messages, receiver) = channel();
@@ -143,7 +133,6 @@ impl Training {
             resume,
             time_limit,
             has_loss,
-            ranks,
             stop: Arc::clone(&stop),
             messages,
             answers,
@@ -286,19 +275,6 @@ impl Channel {
     }
 }
 
-/// The settings of rank 0. Only rank 0 knows a resumed run's settings.
-fn settings_of_first(
-    ranks: &PythonRanks,
-    mine: organza::TrainConfig,
-) -> organza::Result<organza::TrainConfig> {
-    let text = ranks.broadcast(mine.to_toml().into_bytes())?;
-    if ranks.rank() == 0 {
-        return Ok(mine);
-    }
-    let text = String::from_utf8_lossy(&text);
-    organza::TrainConfig::parse(&text, "the settings of rank 0".as_ref())
-}
-
 fn open_folder(path: &Path, resume: bool) -> PyResult<RunFolder> {
     if !resume {
         let made = std::fs::create_dir_all(path);
@@ -347,8 +323,6 @@ pub struct Run {
     pub resume: bool,
     pub time_limit: Option<f64>,
     pub has_loss: bool,
-    /// The ranks that share the run.
-    pub ranks: Option<Arc<PythonRanks>>,
     pub stop: Arc<AtomicBool>,
     pub messages: Sender<Message>,
     pub answers: Receiver<Answer>,
@@ -357,10 +331,9 @@ pub struct Run {
 impl Run {
     /// Trains to the end.
     pub fn run(self) {
-        let outcome = match (&self.ranks, &self.folder) {
-            (Some(ranks), _) if ranks.rank() > 0 => self.follow(ranks),
-            (_, Some(folder)) => self.in_folder(folder),
-            (_, None) => self.without_folder(),
+        let outcome = match &self.folder {
+            Some(folder) => self.in_folder(folder),
+            None => self.without_folder(),
         };
         // the receiver may have gone
         let _ = self.messages.send(Message::End(outcome));
@@ -392,8 +365,6 @@ impl Run {
         session.stop = &self.stop;
         // a caller may keep the scene of a step
         session.ahead = 0;
-        session.mixed = self.ranks.as_ref().is_some_and(|ranks| ranks.mixed);
-        session.ranks = self.ranks.clone().map(|ranks| ranks as Arc<dyn Ranks>);
         let mut reporter = Reporter::new(folder);
         let mut now = 0;
         let mut watch = |event: Event<'_>| {
@@ -431,15 +402,6 @@ impl Run {
             Outcome::TimeLimit => "time limit",
             _ => "stopped",
         })
-    }
-
-    /// Follows the orders of rank 0.
-    fn follow(&self, ranks: &Arc<PythonRanks>) -> organza::Result<&'static str> {
-        let all: Arc<dyn Ranks> = ranks.clone();
-        let hooks = &mut self.hooks();
-        let followed = train::follow(&self.device, &self.dataset, &all, ranks.mixed, hooks);
-        followed.inspect_err(|error| ranks.fail(&chain(error)))?;
-        Ok("followed")
     }
 
     fn without_folder(&self) -> organza::Result<&'static str> {

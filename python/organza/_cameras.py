@@ -69,58 +69,6 @@ class Cameras:
         """Cameras around the built-in scene, whose images have `side` x `side` pixels."""
         return cls(_organza.Cameras.turntable(views, side))
 
-    @classmethod
-    def around(
-        cls,
-        scene: _organza.Scene,
-        frames: int,
-        *,
-        center: Sequence[float] | None = None,
-        up: Sequence[float] | None = None,
-        distance: float | None = None,
-        elevation: float | None = None,
-        field_of_view: float | None = None,
-        size: tuple[int, int] | None = None,
-    ) -> Cameras:
-        """`frames` cameras once around a scene's box, as in `organza film` without cameras. The arguments are as for `orbit`; the size is
-        640 x 480 unless given."""
-        numbers = center, up, distance, elevation, field_of_view, size
-        return cls(_organza.Cameras.orbit(frames, None, scene, *numbers))
-
-    def orbit(
-        self,
-        frames: int,
-        *,
-        center: Sequence[float] | None = None,
-        up: Sequence[float] | None = None,
-        distance: float | None = None,
-        elevation: float | None = None,
-        field_of_view: float | None = None,
-        size: tuple[int, int] | None = None,
-    ) -> Cameras:
-        """`frames` cameras once around the point that these look at.
-
-        `center` is that point and `up` the axis, upward in the images, both in world units; `distance` is that from the center, in world
-        units; `elevation` is the angle above the horizon, -89 to 89 degrees. Where they are not given, they are the medians of these
-        cameras. `field_of_view` is horizontal, 1 to 170 degrees, and `size` is width and height in pixels: the first camera's
-        unless given. Raises `ValueError` for a number out of range, and without cameras.
-        """
-        numbers = center, up, distance, elevation, field_of_view, size
-        return Cameras(_organza.Cameras.orbit(frames, self._core, None, *numbers))
-
-    def among(self, frames: int, *, size: tuple[int, int] | None = None) -> Cameras:
-        """`frames` cameras on a way that stays where these stand, and ends where it begins, as in `organza film run`: a ring where they stand
-        all around what they look at, else to and fro on an arc. `size` is width and height in pixels: the first camera's unless
-        given."""
-        return Cameras(self._core.among(frames, size))
-
-    def between(
-        self, frames: int, *, loop: bool = False, size: tuple[int, int] | None = None
-    ) -> Cameras:
-        """`frames` cameras on a smooth path through these, in their order, as `organza film run cameras.json`; `loop` leads back to the first.
-        `size` is width and height in pixels: the first camera's unless given. Raises `ValueError` for fewer than two."""
-        return Cameras(self._core.between(frames, loop, size))
-
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes nerfstudio's `transforms.json`."""
         self._core.save(path)

@@ -1,17 +1,14 @@
 //! Cameras and batches of tiles.
 
-use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use numpy::ndarray::{Array2, Array3};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3};
-use organza::camera::{CameraPath, Orbit};
 use organza::data::{DatasetOptions, Poses};
 use organza::scene::{Placement, SceneConfig};
 use pyo3::prelude::*;
 
 use crate::error::{invalid, raise};
-use crate::scene::Scene;
 
 /// Pinhole cameras, in the world.
 #[pyclass(frozen, module = "organza")]
@@ -91,71 +88,6 @@ impl Cameras {
         self.0.iter().map(|camera| camera.file_path.clone()).collect()
     }
 
-    /// `count` cameras on an arc or a ring that stays where these stand.
-    fn among(&self, count: usize, size: Option<[u32; 2]>) -> PyResult<Self> {
-        let found = Orbit::among(&self.0, frames(count)?).map_err(raise)?;
-        Self(found.iter().map(|camera| sized(camera, size)).collect()).checked()
-    }
-
-    /// `count` cameras on a smooth path through these.
-    fn between(&self, count: usize, is_closed: bool, size: Option<[u32; 2]>) -> PyResult<Self> {
-        let size = size.or(self.0.first().map(|camera| [camera.width, camera.height]));
-        let keys: Vec<_> = self.0.iter().map(|camera| sized(camera, size)).collect();
-        let path = CameraPath::through(&keys, is_closed).map_err(raise)?;
-        Self(path.cameras(frames(count)?)).checked()
-    }
-
-    /// `count` cameras once around what these look at, or around a scene's box without them. What is given replaces what
-    /// was found, and is of the world; angles are in degrees.
-    #[staticmethod]
-    #[expect(clippy::too_many_arguments, reason = "the package names them")]
-    fn orbit(
-        count: usize,
-        cameras: Option<&Self>,
-        scene: Option<&Scene>,
-        center: Option<[f64; 3]>,
-        up: Option<[f64; 3]>,
-        distance: Option<f64>,
-        elevation: Option<f64>,
-        field_of_view: Option<f64>,
-        size: Option<[u32; 2]>,
-    ) -> PyResult<Self> {
-        let (found, placement) = match (cameras, scene) {
-            (Some(cameras), _) => (Orbit::around(&cameras.0).map_err(raise)?, Placement::default()),
-            (None, Some(scene)) => {
-                let SceneConfig { aabb, placement, .. } = scene.0.config;
-                (Orbit::from_box(aabb, size.unwrap_or(Orbit::SIZE)), placement)
-            }
-            (None, None) => return Err(invalid("an orbit needs cameras or a scene")),
-        };
-        let within = |name: &str, value: Option<f64>, range: RangeInclusive<f64>| match value {
-            Some(value) if !range.contains(&value) => {
-                let low = range.start();
-                let high = range.end();
-                Err(invalid(format!("`{name}` is {value}, expected {low:e} to {high:e}")))
-            }
-            value => Ok(value),
-        };
-        let distance = within("distance", distance, Orbit::DISTANCES)?;
-        let elevation = within("elevation", elevation, Orbit::ELEVATIONS)?.map(f64::to_radians);
-        let field_of_view = within("field_of_view", field_of_view, Orbit::FIELDS_OF_VIEW)?;
-        let mut orbit = Orbit {
-            center: center.map_or(found.center, |center| placement.own(center)),
-            up: up.map_or(found.up, |up| placement.own_direction(up)),
-            distance: distance.map_or(found.distance, |far| far / placement.scale),
-            elevation: elevation.unwrap_or(found.elevation),
-            ..found
-        };
-        if let Some(degrees) = field_of_view {
-            // a field of view that was given is the images' own
-            orbit.angle = degrees.to_radians();
-            orbit.size = size.unwrap_or(orbit.size);
-        }
-        let found = orbit.cameras(frames(count)?).map_err(raise)?;
-        let world = |camera| placement.world_camera(&sized(camera, size));
-        Self(found.iter().map(world).collect()).checked()
-    }
-
     /// The cameras with these indices.
     fn select(&self, indices: Vec<usize>) -> Self {
         Self(indices.into_iter().map(|index| self.0[index].clone()).collect())
@@ -163,18 +95,6 @@ impl Cameras {
 
     fn __len__(&self) -> usize {
         self.0.len()
-    }
-}
-
-/// The same view in another size, if one is given.
-fn sized(camera: &organza::Camera, size: Option<[u32; 2]>) -> organza::Camera {
-    size.map_or_else(|| camera.clone(), |size| camera.with_size(size))
-}
-
-fn frames(count: usize) -> PyResult<usize> {
-    match count {
-        1..=99_999 => Ok(count),
-        _ => Err(invalid(format!("`frames` is {count}, expected 1 to 99,999"))),
     }
 }
 

@@ -3,10 +3,11 @@
 
 usage: python bench/python.py FOLDER [--rounds 15] [--threads 2] [--backend cpu]
 
-FOLDER has scene.safetensors, cameras.json and tiles.json, as bench/synthetic.py writes them. Needs the package organza, and torch.
+FOLDER has scene.safetensors, cameras.json and tiles.json, as bench/synthetic.py writes them. Needs the package and the program organza,
+and torch.
 
-Each round measures a native call and then the same from Python, so that other programs slow both. Native numbers are those of
-`organza bench`, taken in the same process: forward ends with the tiles in the host's memory, backward with the gradients on the device.
+Each round measures a native call and then the same from Python, so that other programs slow both. `organza bench` measures the native
+calls: forward ends with the tiles in the host's memory, backward with the gradients on the device.
 From Python, gradients are read into arrays, too. A training step by torch's Adam renders, compares, runs the backward pass and updates every
 parameter; a native one does all of that on the device, for as many tiles of as many images of a scene of the same size.
 """
@@ -14,6 +15,7 @@ parameter; a native one does all of that on the device, for as many tiles of as 
 import argparse
 import json
 import statistics
+import subprocess
 import tempfile
 import time
 from pathlib import Path
@@ -43,8 +45,12 @@ def main():
     shape = (len(tiles), 3, tiles.side, tiles.side)
     ones, target = np.ones(shape, np.float32), torch.zeros(shape)
 
+    command = ["organza", "bench", *(arguments.folder / name for name in ("scene.safetensors", "cameras.json", "tiles.json"))]
+    command += ["--backend", arguments.backend, "--threads", str(arguments.threads), "--repeat", "1", "--json"]
+
     def native(name):
-        return lambda: renderer.bench(uploaded, cameras, tiles, repeat=1, backward=name != "forward_s")[name]
+        forward = ["--forward"] if name == "forward_s" else []
+        return lambda: json.loads(subprocess.run(command + forward, check=True, capture_output=True).stdout)[name]
 
     def record():
         renderer.record(uploaded, cameras, tiles).backward(ones)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Sequence
-from typing import Any, Literal, overload
+from typing import Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -147,31 +147,6 @@ class Renderer(_organza.Renderer):
         alone. Raises `organza.Error` if a gradient is not finite.
         """
         return self.record(scene, cameras, tiles).backward(grad_tiles)
-
-    def explain(
-        self,
-        scene: _organza.Scene | _organza.DeviceScene,
-        cameras: Cameras,
-        view: int,
-        pixel: tuple[int, int],
-    ) -> dict[str, Any]:
-        """How one pixel (column, row) of a view came about, Gaussian by Gaussian: the values of Eq. 12 and 13."""
-        scene = self._on_device(scene)
-        if not 0 <= view < len(cameras):
-            raise ValueError(f"there is no view {view}: there are {len(cameras)} cameras")
-        return super().explain(scene, cameras._core, view, tuple(pixel))
-
-    def bench(
-        self,
-        scene: _organza.Scene | _organza.DeviceScene,
-        cameras: Cameras,
-        tiles: Tiles,
-        repeat: int = 5,
-        backward: bool = True,
-    ) -> dict[str, Any]:
-        """Measures a batch: medians of `repeat` passes in seconds, and each kernel's share, like `organza bench --json`."""
-        scene = self._on_device(scene)
-        return super().bench(scene, cameras._core, tiles._core, repeat, backward)
 
     def __repr__(self) -> str:
         return f"<organza.Renderer: {self.device}>"

@@ -4,7 +4,6 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use numpy::{IntoPyArray, PyArray4, PyArrayMethods};
-use organza::bench::{BenchOptions, measure};
 use organza::render::SceneGradient;
 use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles};
 use pyo3::prelude::*;
@@ -13,7 +12,7 @@ use pyo3::types::PyDict;
 use crate::cameras::{Cameras, Tiles};
 use crate::error::{invalid, raise};
 use crate::job;
-use crate::scene::{Scene, array, json};
+use crate::scene::{Scene, array};
 use crate::tape::Tape;
 
 /// Renders on a device.
@@ -118,68 +117,6 @@ impl Renderer {
         let held = Arc::clone(&scene.held);
         let tape = Arc::new(Mutex::new(tape));
         Ok(Tape { renderer, held, tape, shape, cameras: number })
-    }
-
-    /// Explains a pixel, Gaussian by Gaussian.
-    fn explain<'py>(
-        &self,
-        py: Python<'py>,
-        scene: &DeviceScene,
-        cameras: &Cameras,
-        camera: usize,
-        pixel: [i32; 2],
-    ) -> PyResult<Bound<'py, PyDict>> {
-        let held = self.own(scene)?;
-        let renderer = self.0.clone();
-        let cameras = Cameras(cameras.0.clone());
-        let found = job::run(py, move || {
-            let scene = &lock(&held).scene;
-            renderer.inspect(scene, &cameras.in_scene(scene.config()), camera, pixel)
-        })?;
-        let contributions = found.contributions.iter().map(|one| {
-            let dict = PyDict::new(py);
-            dict.set_item("gaussian", one.gaussian)?;
-            dict.set_item("distance", one.distance)?;
-            dict.set_item("falloff", one.falloff)?;
-            dict.set_item("opacity", one.opacity)?;
-            dict.set_item("samples", one.samples)?;
-            dict.set_item("transmittance", one.transmittance)?;
-            dict.set_item("alpha", one.alpha)?;
-            dict.set_item("color", one.color)?;
-            Ok(dict)
-        });
-        let dict = PyDict::new(py);
-        dict.set_item("contributions", contributions.collect::<PyResult<Vec<_>>>()?)?;
-        dict.set_item("color_sum", found.color_sum)?;
-        dict.set_item("alpha_sum", found.alpha_sum)?;
-        dict.set_item("background", found.background)?;
-        dict.set_item("pixel", found.color)?;
-        Ok(dict)
-    }
-
-    fn bench<'py>(
-        &self,
-        py: Python<'py>,
-        scene: &DeviceScene,
-        cameras: &Cameras,
-        tiles: &Tiles,
-        repeat: usize,
-        backward: bool,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        if repeat == 0 {
-            return Err(invalid("`repeat` is 0, expected at least 1"));
-        }
-        let held = self.own(scene)?;
-        let renderer = self.0.clone();
-        let cameras = Cameras(cameras.0.clone());
-        let batch = tiles.0.clone();
-        let options = BenchOptions { repeat, backward, frame: false };
-        let found = job::run(py, move || {
-            let scene = &lock(&held).scene;
-            let cameras = cameras.in_scene(scene.config());
-            measure(&renderer, scene, &cameras, &batch, options, &mut || ())
-        })?;
-        json(py, &serde_json::to_string(&found).expect("numbers and strings"))
     }
 }
 

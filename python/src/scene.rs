@@ -143,7 +143,7 @@ fn read_config(config: &Bound<'_, PyAny>) -> PyResult<SceneConfig> {
 }
 
 /// Parses JSON into a Python object.
-pub fn json<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
+fn json<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
     py.import("json")?.call_method1("loads", (text,))
 }
 

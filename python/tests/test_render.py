@@ -152,19 +152,6 @@ def test_a_scene_shows_itself(scene):
     assert len(png) > 5000
 
 
-def test_a_pixel_is_explained(renderer, scene, cameras):
-    image = renderer.render(scene, cameras)[1]
-    found = renderer.explain(scene, cameras, 1, (20, 18))
-    assert np.allclose(found["pixel"], image[18, 20], atol=1e-6)
-    parts = found["contributions"]
-    assert parts and sum(part["alpha"] for part in parts) == pytest.approx(found["alpha_sum"], rel=1e-5)
-
-
-def test_bench_measures(renderer, scene, cameras, tiles):
-    found = renderer.bench(scene, cameras, tiles, repeat=1, backward=False)
-    assert found["tiles"] == 3 and found["gaussians"] == len(scene) and found["forward_s"] > 0
-
-
 @pytest.mark.parametrize(
     "call, error, text",
     [
@@ -209,8 +196,6 @@ def test_wrong_arguments_of_a_call_are_named(renderer, scene, cameras, tiles):
         renderer.gradient(scene, cameras, tiles, np.zeros((3, 3, 8, 8)))
     with pytest.raises(ValueError, match="another renderer"):
         renderer.render(organza.Renderer("cpu", threads=1).upload(scene), cameras)
-    with pytest.raises(ValueError, match="no view 2"):
-        renderer.explain(scene, cameras, 2, (0, 0))
 
 
 def test_too_little_memory_is_an_exception():

@@ -22,7 +22,6 @@ from ._organza import DeviceScene, Error, Scene, Tape, __version__
 from ._cameras import Cameras, Tiles
 from ._data import Dataset, load_dataset
 from ._images import Images
-from ._metrics import psnr, ssim
 from ._renderer import Renderer
 from ._splats import Exported, Imported, export, import_splats
 from ._training import Evaluation, Step, TrainConfig, Training, train
@@ -47,7 +46,5 @@ __all__ = [
     "export",
     "import_splats",
     "load_dataset",
-    "psnr",
-    "ssim",
     "train",
 ]

@@ -5,7 +5,6 @@ mod cameras;
 mod data;
 mod error;
 mod job;
-mod metrics;
 mod renderer;
 mod scene;
 mod splats;
@@ -27,8 +26,6 @@ fn _organza(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<data::Dataset>()?;
     module.add_class::<training::TrainConfig>()?;
     module.add_class::<training::Training>()?;
-    module.add_function(wrap_pyfunction!(metrics::psnr, module)?)?;
-    module.add_function(wrap_pyfunction!(metrics::ssim, module)?)?;
     module.add_function(wrap_pyfunction!(splats::export, module)?)?;
     module.add_function(wrap_pyfunction!(splats::import_splats, module)?)
 }

@@ -136,7 +136,7 @@ class Training:
         config: TrainConfig,
         dataset: Dataset | None,
         path: _Path | None,
-        output: _Path | None,
+        output: _Path,
         resume: bool,
         time_limit: float | None,
         has_loss: bool,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import tempfile
 import tomllib
 import warnings
 import weakref
@@ -122,13 +123,14 @@ class Training:
         core: _organza.Training,
         loss: Loss | None,
         on_evaluation: Callable[[Evaluation], object] | None,
+        folder: tempfile.TemporaryDirectory[str] | None,
     ) -> None:
         self._core = core
         self._loss = loss
         self._on_evaluation = on_evaluation
         self._step: Step | None = None
         # also where the script ends first
-        weakref.finalize(self, core.close)
+        weakref.finalize(self, _end, core, folder)
         self.evaluations: list[Evaluation] = []
         """The scores of the held-out photographs so far."""
         self.outcome: str | None = None
@@ -192,6 +194,12 @@ class Training:
         self.close()
 
 
+def _end(core: _organza.Training, folder: tempfile.TemporaryDirectory[str] | None) -> None:
+    core.close()
+    if folder is not None:
+        folder.cleanup()
+
+
 def _torch_loss(
     loss: Loss | None, rendered: np.ndarray, target: np.ndarray, valid: np.ndarray
 ) -> tuple[float, np.ndarray]:
@@ -226,8 +234,8 @@ def train(
             print(step.step, step.loss, step.psnr, step.gaussians)
 
     `dataset` is a data set, its path, or none for the built-in scene. With `output`, the run has a folder as the program's `train -o`
-    makes it, with the same bits: checkpoints, evaluations, a report. Without, nothing is written, and held-out photographs are not
-    measured. `resume` goes on with the run in a folder, with that run's settings and data.
+    makes it, with the same bits: checkpoints, evaluations, a report. Without, it has a temporary one, which goes with the run. `resume`
+    goes on with the run in a folder, with that run's settings and data.
 
     `loss` is a function of torch's tensors: the rendered tiles `[K, 3, S, S]`, the photographs `[K, 3, S, S]`, and `valid [K, 1, S, S]`,
     1 where a photograph has a pixel. It returns the loss, a tensor of one value. Without it, the settings say the loss.
@@ -243,6 +251,10 @@ def train(
         config, output = TrainConfig.from_run(resume), resume
     elif config is None:
         config = TrainConfig("built-in" if dataset is None else "default")
+    folder = None
+    if output is None:
+        folder = tempfile.TemporaryDirectory(prefix="organza-", ignore_cleanup_errors=True)
+        output = folder.name
     loaded, path = (dataset._core, None) if isinstance(dataset, Dataset) else (None, dataset)
     core = _organza.Training(
         renderer or Renderer(),
@@ -254,4 +266,4 @@ def train(
         time_limit,
         loss is not None,
     )
-    return Training(core, loss, on_evaluation)
+    return Training(core, loss, on_evaluation, folder)

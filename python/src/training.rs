@@ -11,7 +11,7 @@ use organza::Renderer as Device;
 use organza::render::{LossBatch, LossGradient};
 use organza::train::report::Reporter;
 use organza::train::{
-    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, RunFolder, Session, StepHooks, Trainer,
+    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, RunFolder, Session, StepHooks,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -92,7 +92,7 @@ impl Training {
         config: &TrainConfig,
         dataset: Option<&Dataset>,
         path: Option<PathBuf>,
-        output: Option<PathBuf>,
+        output: PathBuf,
         resume: bool,
         time_limit: Option<f64>,
         has_loss: bool,
@@ -107,21 +107,17 @@ impl Training {
         }
         config.check_memory().map_err(raise)?;
         // a run goes on in the coordinates of its scene
-        let checkpoint = output.as_ref().filter(|_| resume).map(|path| path.join(CHECKPOINT));
-        let checkpoint = checkpoint.filter(|path| path.exists());
-        let scene = checkpoint.map(organza::Scene::load_config).transpose().map_err(raise)?;
-        let placement = scene.map(|config| config.placement);
-        let dataset = match (dataset, placement) {
-            (Some(Dataset { dataset, .. }), Some(placement)) if dataset.placement != placement => {
-                Arc::new(organza::Dataset::clone(dataset).placed(placement))
-            }
-            (Some(dataset), _) => Arc::clone(&dataset.dataset),
-            (None, _) => {
-                Dataset::open(py, config.data.clone(), placement, Some(&renderer.0))?.dataset
-            }
+        let checkpoint = output.join(CHECKPOINT);
+        let placement = match resume && checkpoint.exists() {
+            true => Some(organza::Scene::load_config(checkpoint).map_err(raise)?.placement),
+            false => None,
+        };
+        let dataset = match dataset {
+            Some(dataset) => Arc::clone(&dataset.dataset),
+            None => Dataset::open(py, config.data.clone(), placement, Some(&renderer.0))?.dataset,
         };
         config.resolve(&dataset, renderer.0.device());
-        let folder = output.map(|path| open_folder(&path, resume)).transpose()?;
+        let folder = open_folder(&output, resume)?;
         let stop = Arc::new(AtomicBool::new(false));
         let (messages, receiver) = channel();
         let (sender, answers) = channel();
@@ -155,10 +151,6 @@ impl Training {
             return Err(job::panicked(thread));
         };
         let kind = match message {
-            Message::Begin(step) => {
-                dict.set_item("step", step)?;
-                "begin"
-            }
             Message::Warning(text) => {
                 dict.set_item("text", text)?;
                 "warning"
@@ -285,7 +277,6 @@ fn open_folder(path: &Path, resume: bool) -> PyResult<RunFolder> {
 
 /// A message of the thread.
 pub enum Message {
-    Begin(u32),
     Warning(String),
     Step(StepNumbers),
     Evaluated { step: u32, psnr: Option<f64>, ssim: Option<f64> },
@@ -296,7 +287,7 @@ pub enum Message {
 
 pub struct StepNumbers {
     pub step: u32,
-    pub seconds: Option<f64>,
+    pub seconds: f64,
     pub loss: f64,
     pub psnr: f64,
     pub gaussians: usize,
@@ -319,7 +310,7 @@ pub struct Run {
     pub device: Device,
     pub config: organza::TrainConfig,
     pub dataset: Arc<organza::Dataset>,
-    pub folder: Option<RunFolder>,
+    pub folder: RunFolder,
     pub resume: bool,
     pub time_limit: Option<f64>,
     pub has_loss: bool,
@@ -331,10 +322,7 @@ pub struct Run {
 impl Run {
     /// Trains to the end.
     pub fn run(self) {
-        let outcome = match &self.folder {
-            Some(folder) => self.in_folder(folder),
-            None => self.without_folder(),
-        };
+        let outcome = self.train();
         // the receiver may have gone
         let _ = self.messages.send(Message::End(outcome));
     }
@@ -359,21 +347,18 @@ impl Run {
         }
     }
 
-    fn in_folder(&self, folder: &RunFolder) -> organza::Result<&'static str> {
-        let mut session = Session::new(&self.device, &self.config, &self.dataset, folder);
+    fn train(&self) -> organza::Result<&'static str> {
+        let mut session = Session::new(&self.device, &self.config, &self.dataset, &self.folder);
         session.time_limit = self.time_limit;
         session.stop = &self.stop;
         // a caller may keep the scene of a step
         session.ahead = 0;
-        let mut reporter = Reporter::new(folder);
+        let mut reporter = Reporter::new(&self.folder);
         let mut now = 0;
         let mut watch = |event: Event<'_>| {
             reporter.see(&event)?;
             match event {
-                Event::Begin(step) => {
-                    now = step;
-                    self.send(Message::Begin(step));
-                }
+                Event::Begin(step) => now = step,
                 Event::Warning(text) => self.send(Message::Warning(text.to_owned())),
                 Event::Step { step, seconds, report, scene, .. } => {
                     now = step;
@@ -381,7 +366,6 @@ impl Run {
                     let psnr = report.psnr;
                     let gaussians = scene.len();
                     let densified = report.densified.is_some();
-                    let seconds = Some(seconds);
                     self.step(
                         StepNumbers { step, seconds, loss, psnr, gaussians, densified },
                         scene,
@@ -402,33 +386,6 @@ impl Run {
             Outcome::TimeLimit => "time limit",
             _ => "stopped",
         })
-    }
-
-    fn without_folder(&self) -> organza::Result<&'static str> {
-        let config = self.config.clone();
-        let dataset = Arc::clone(&self.dataset);
-        let mut trainer = Trainer::start(&self.device, config, dataset)?;
-        self.send(Message::Begin(0));
-        let begin = std::time::Instant::now();
-        while !trainer.is_finished() {
-            let seconds = begin.elapsed().as_secs_f64();
-            if self.time_limit.is_some_and(|limit| seconds >= limit) {
-                return Ok("time limit");
-            }
-            if self.stop.load(Ordering::Relaxed) {
-                return Ok("stopped");
-            }
-            let report = trainer.step_with(&mut self.hooks())?;
-            let step = trainer.steps();
-            let scene = trainer.scene();
-            let loss = report.loss;
-            let psnr = report.psnr;
-            let gaussians = scene.len();
-            let densified = report.densified.is_some();
-            let seconds = Some(begin.elapsed().as_secs_f64());
-            self.step(StepNumbers { step, seconds, loss, psnr, gaussians, densified }, scene);
-        }
-        Ok("finished")
     }
 
     /// Reports a step, and sends its scene on request, until Python continues.

@@ -127,22 +127,6 @@ impl Dataset {
         Poses::load(path.as_ref(), options)?.photographs(&mut |_, _| {})
     }
 
-    /// The data set in the coordinates of a scene with this placement.
-    #[must_use]
-    pub fn placed(mut self, placement: Placement) -> Self {
-        let from = std::mem::replace(&mut self.placement, placement);
-        if from != placement {
-            for (frame, &camera_to_world) in self.frames.iter_mut().zip(&self.poses) {
-                let world = Camera { camera_to_world, ..frame.camera.clone() };
-                frame.camera = placement.own_camera(&world);
-            }
-            for Point { position, .. } in &mut self.points {
-                *position = own_point(&placement, from.world(*position));
-            }
-        }
-        self
-    }
-
     /// The frames to train on.
     pub fn train_frames(&self) -> impl ExactSizeIterator<Item = &Frame> {
         self.train.iter().map(|&index| &self.frames[index])

@@ -1,8 +1,7 @@
-//! Decodes photographs, PNG and JPEG, within a budget of memory. Incomplete files are refused.
+//! Decodes photographs, PNG and JPEG, within the free memory. Incomplete files are refused.
 
 use std::io::{BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
-use std::sync::{Condvar, Mutex, PoisonError};
 
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
@@ -29,6 +28,8 @@ const BYTES_BESIDE: u64 = 1 << 20;
 const COPIES: u64 = 3;
 /// Most bytes that one byte of a PNG's compressed data can become.
 const DEFLATE_RATIO: u64 = 1032;
+/// Part of the free memory that decoding may take. Threads and the allocator need some, too.
+const PART: f64 = 0.75;
 /// Quality of JPEG photographs that are turned, out of 100.
 const QUALITY: u8 = 98;
 
@@ -70,26 +71,33 @@ pub(super) fn has_alpha(path: &Path) -> Result<bool> {
     Ok(decoder.color_type().has_alpha())
 }
 
-/// Reads a photograph's file, which should have `expected` pixels, width and height. Also returns the share of the
-/// budget for decoding it and its mask. Keep the share until both are decoded.
-pub(super) fn read<'a>(
+/// Bytes of the free memory that decoding may take, beside `kept` bytes of results.
+pub(super) fn budget(kept: u64) -> u64 {
+    let free = memory::available().map(|bytes| bytes.saturating_sub(kept));
+    free.map_or(u64::MAX, |bytes| (bytes as f64 * PART) as u64)
+}
+
+/// How many photographs like this one, which should have `expected` pixels, may be decoded at once with their masks:
+/// at least one.
+///
+/// # Errors
+/// [`Error::ReadFile`]; [`DeviceError::OutOfMemory`] if one alone takes more than the budget.
+pub(super) fn at_once(
     path: &Path,
     mask: Option<&Path>,
     expected: [u32; 2],
-    budget: &'a Budget,
-) -> Result<(Vec<u8>, Share<'a>)> {
-    let (_, length) = open_regular(path)?;
-    let mut needed = bytes_to_decode(length, expected);
+    budget: u64,
+) -> Result<u64> {
+    let mut needed = bytes_to_decode(open_regular(path)?.1, expected);
     if let Some(mask) = mask {
         needed = needed.saturating_add(bytes_to_decode(open_regular(mask)?.1, expected));
     }
-    // Taken at once: threads that hold a part while they wait for more would deadlock.
-    let share = budget.take(needed, || {
+    if needed > budget {
         let [width, height] = expected;
-        let path = path.display();
-        format!("decoding {path} ({width} x {height} pixels)")
-    })?;
-    Ok((read_file(path, length, "a photograph")?, share))
+        let what = format!("decoding {} ({width} x {height} pixels)", path.display());
+        return Err(DeviceError::OutOfMemory { needed, available: Some(budget), what }.into());
+    }
+    Ok(budget / needed)
 }
 
 /// Checks a photograph, as reading a data set does. If the file says that the camera was held on its side, returns a file
@@ -99,8 +107,8 @@ pub(super) fn read<'a>(
 /// The same errors as [`Dataset::load`](super::Dataset::load) for a photograph.
 pub fn upright(path: &Path) -> Result<Option<Vec<u8>>> {
     let size = size(path)?;
-    let budget = Budget::beside(0);
-    let (bytes, _share) = read(path, None, size, &budget)?;
+    at_once(path, None, size, budget(0))?;
+    let bytes = read_file(path, u64::MAX, "a photograph")?;
     decode(&bytes, size, path, PHOTOGRAPH)?;
     turned(&bytes).map_err(|error| broken(path, &error))
 }
@@ -339,69 +347,10 @@ fn is_marker(pair: &[u8]) -> bool {
     pair[0] == 0xff && !matches!(pair[1], 0 | 1 | 0xd0..=0xd7 | 0xff)
 }
 
-/// Part of the free memory that decoding may take. Threads and the allocator need some, too.
-const PART: f64 = 0.75;
-
-/// A number of bytes to share. A thread that needs more than are left waits for the others.
-#[derive(Debug)]
-pub(super) struct Budget {
-    total: u64,
-    used: Mutex<u64>,
-    returned: Condvar,
-}
-
-/// Bytes of a [`Budget`], returned on drop.
-#[derive(Debug)]
-pub(super) struct Share<'a> {
-    budget: &'a Budget,
-    bytes: u64,
-}
-
-impl Budget {
-    /// A budget of the memory that is free now, without `results` bytes that are kept.
-    pub fn beside(results: u64) -> Self {
-        let free = memory::available().map(|bytes| bytes.saturating_sub(results));
-        Self::new(free.map_or(u64::MAX, |bytes| (bytes as f64 * PART) as u64))
-    }
-
-    /// A budget of exactly `total` bytes.
-    pub fn new(total: u64) -> Self {
-        Self { total, used: Mutex::new(0), returned: Condvar::new() }
-    }
-
-    /// Takes bytes. Waits if other threads have them.
-    ///
-    /// # Errors
-    /// [`DeviceError::OutOfMemory`] for more than the whole budget. `what` describes the purpose.
-    pub fn take(&self, bytes: u64, what: impl FnOnce() -> String) -> Result<Share<'_>> {
-        if bytes > self.total {
-            let needed = bytes;
-            let available = Some(self.total);
-            return Err(DeviceError::OutOfMemory { needed, available, what: what() }.into());
-        }
-        let used = self.used.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut used = self
-            .returned
-            .wait_while(used, |used| *used > self.total - bytes)
-            .unwrap_or_else(PoisonError::into_inner);
-        *used += bytes;
-        Ok(Share { budget: self, bytes })
-    }
-}
-
-impl Drop for Share<'_> {
-    fn drop(&mut self) {
-        *self.budget.used.lock().unwrap_or_else(PoisonError::into_inner) -= self.bytes;
-        self.budget.returned.notify_all();
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use organza_core::image::to_8_bit;
-    use std::sync::atomic::{AtomicU64, Ordering};
-    use std::thread;
 
     /// So 8-bit colors can be copied.
     #[test]
@@ -410,35 +359,5 @@ mod tests {
             assert_eq!(to_8_bit(UNIT[usize::from(byte)]), byte);
             assert_eq!(UNIT[usize::from(byte)].to_bits(), (f32::from(byte) / 255.0).to_bits());
         }
-    }
-
-    #[test]
-    fn more_than_the_budget_is_refused_at_once() {
-        let budget = Budget::new(10);
-        let _all = budget.take(10, String::new).unwrap();
-        let error = budget.take(11, || "the photograph".to_owned()).unwrap_err().to_string();
-        assert!(error.contains("the photograph needs 11 bytes but 10 bytes are"), "{error}");
-    }
-
-    #[test]
-    fn threads_never_hold_more_than_there_is() {
-        let budget = Budget::new(100);
-        let held = AtomicU64::new(0);
-        thread::scope(|scope| {
-            for thread in 0..8 {
-                let budget = &budget;
-                let held = &held;
-                scope.spawn(move || {
-                    for round in 0..200 {
-                        let bytes = 1 + (thread * 31 + round * 17) % 100;
-                        let share = budget.take(bytes, String::new).unwrap();
-                        let all = held.fetch_add(bytes, Ordering::SeqCst) + bytes;
-                        assert!(all <= 100, "{all}");
-                        held.fetch_sub(bytes, Ordering::SeqCst);
-                        drop(share);
-                    }
-                });
-            }
-        });
     }
 }

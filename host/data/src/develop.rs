@@ -3,7 +3,6 @@
 
 use std::path::{Path, PathBuf};
 
-use super::decode::Budget;
 use super::fingerprint::Digest;
 use super::lens::{Lens, Projection, Undistortion};
 use super::{Alpha, DatasetOptions, Frame, Photograph, decode};
@@ -42,18 +41,24 @@ impl Shot {
         self.lens.cut.map_or([self.camera.width, self.camera.height], |cut| cut.size)
     }
 
+    /// How many photographs like this one may be decoded at once in `budget` bytes: at least one.
+    ///
+    /// # Errors
+    /// [`organza_core::Error::ReadFile`]; [`organza_core::error::DeviceError::OutOfMemory`] if it alone takes more.
+    pub fn at_once(&self, budget: u64) -> Result<u64> {
+        decode::at_once(&self.path, self.mask.as_deref(), self.size(), budget)
+    }
+
     /// Reads the photograph. The digest covers its file and its mask.
     ///
     /// # Errors
     /// [`organza_core::Error::ReadFile`]; [`organza_core::Error::Invalid`] if the photograph or its mask cannot be decoded, has
-    /// another size than the camera, or leaves no pixel; [`organza_core::error::DeviceError::OutOfMemory`] if it does not
-    /// fit into the budget.
-    pub fn develop(&self, options: &DatasetOptions, budget: &Budget) -> Result<(Frame, Digest)> {
+    /// another size than the camera, or leaves no pixel.
+    pub fn develop(&self, options: &DatasetOptions) -> Result<(Frame, Digest)> {
         let [width, height] = self.size();
         let camera = self.smaller_camera()?;
-        let mask = self.mask.as_deref();
-        let (bytes, _share) = decode::read(&self.path, mask, [width, height], budget)?;
-        let mask = mask.map(|path| self.read_mask(path)).transpose()?;
+        let bytes = read_file(&self.path, u64::MAX, "a photograph")?;
+        let mask = self.mask.as_ref().map(|path| self.read_mask(path)).transpose()?;
         let digest = Digest::new(&bytes, mask.as_ref().map(|mask| &*mask.file));
         if self.trained.as_ref().is_some_and(|trained| *trained != digest) {
             let reason = "the photograph or its mask has changed since the run was trained; put it back, or name the data set \

@@ -3,7 +3,6 @@
 use std::io::Cursor;
 use std::path::Path;
 
-use super::decode::Budget;
 use super::find::PhotographFile;
 use super::transforms::{Photographs, add_frames};
 use super::{DatasetOptions, Poses, colmap, decode, ply};
@@ -44,9 +43,9 @@ pub fn ply(bytes: &[u8]) {
 pub fn photograph(bytes: &[u8]) {
     let length = bytes.len() as u64;
     let Ok(size) = decode::size_from(Cursor::new(bytes), length, origin()) else { return };
-    let budget = Budget::new(PHOTOGRAPH_BYTES);
-    let needed = decode::bytes_to_decode(length, size);
-    let Ok(_share) = budget.take(needed, String::new) else { return };
+    if decode::bytes_to_decode(length, size) > PHOTOGRAPH_BYTES {
+        return;
+    }
     if let Ok(decoded) = decode::decode(bytes, size, origin(), decode::PHOTOGRAPH) {
         let _ = decoded.rgba(size[0] - 1, size[1] - 1);
     }

@@ -9,7 +9,6 @@ mod find;
 mod fingerprint;
 pub mod fuzz;
 mod gains;
-mod keep;
 mod lens;
 mod options;
 pub mod panorama;
@@ -34,7 +33,6 @@ use develop::Shot;
 pub use develop::mean;
 use fingerprint::Digest;
 pub use fingerprint::Fingerprint;
-pub use keep::Keep;
 use lens::Lens;
 pub use options::{Alpha, Background, DatasetOptions};
 #[cfg(doc)]
@@ -97,8 +95,6 @@ pub struct Dataset {
     pub outside: Vec<PathBuf>,
     /// Warnings: clouds, masks and models that are not used, and cameras or photographs that cannot be right.
     pub notes: Vec<String>,
-    /// Folder of the temporary file with the photographs, if they are not in memory.
-    pub kept_in: Option<PathBuf>,
     /// Identifies the data set.
     pub fingerprint: Fingerprint,
     /// Format of the data set.

@@ -3,7 +3,6 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::keep::Keep;
 use organza_core::error::{Result, argument};
 use organza_core::scene::Placement;
 use serde::{Deserialize, Serialize};
@@ -33,8 +32,6 @@ pub struct DatasetOptions {
     pub alpha: Alpha,
     /// Whether the data set may name files outside its own folder, by path or by link.
     pub allow_outside: bool,
-    /// Storage for the photographs.
-    pub keep: Keep,
     /// The coordinates of cameras and points: a scene's placement, or [`Placement::default`] for the files' own coordinates.
     /// `None` chooses a placement from the cameras: see [`Placement::of`].
     pub placement: Option<Placement>,
@@ -42,20 +39,14 @@ pub struct DatasetOptions {
 
 impl Default for DatasetOptions {
     fn default() -> Self {
-        let background = Background::Auto;
-        let alpha = Alpha::default();
-        let allow_outside = false;
-        let keep = Keep::default();
-        let placement = None;
         Self {
             downscale: 1,
             hold_out_every: 8,
             hold_out_length: 1,
-            background,
-            alpha,
-            allow_outside,
-            keep,
-            placement,
+            background: Background::Auto,
+            alpha: Alpha::default(),
+            allow_outside: false,
+            placement: None,
         }
     }
 }

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::keep::{Kept, Store};
 use organza_core::error::argument;
 use organza_core::{Camera, Image, Result};
 
@@ -15,11 +14,11 @@ pub struct Photograph {
     width: u32,
     height: u32,
     /// Colors, row by row.
-    pixels: Kept<[u8; 3]>,
+    pixels: Vec<[u8; 3]>,
     /// Validity, row by row; `None` if all pixels are valid.
-    valid: Option<Kept<bool>>,
+    valid: Option<Vec<bool>>,
     /// Alpha, row by row; `None` if all pixels are opaque.
-    alpha: Option<Kept<u8>>,
+    alpha: Option<Vec<u8>>,
 }
 
 impl Photograph {
@@ -40,8 +39,8 @@ impl Photograph {
                 "a photograph of {width} x {height} has {count} pixels, not {length}"
             ));
         }
-        let valid = valid.filter(|valid| valid.contains(&false)).map(Kept::from);
-        Ok(Self { width, height, pixels: pixels.into(), valid, alpha: None })
+        let valid = valid.filter(|valid| valid.contains(&false));
+        Ok(Self { width, height, pixels, valid, alpha: None })
     }
 
     /// Adds the alpha of every pixel, row by row, from 0 to 255. The pixels must already contain the background.
@@ -56,20 +55,8 @@ impl Photograph {
                 alpha.len()
             ));
         }
-        self.alpha = alpha.iter().any(|&alpha| alpha < 255).then_some(alpha.into());
+        self.alpha = alpha.iter().any(|&alpha| alpha < 255).then_some(alpha);
         Ok(self)
-    }
-
-    /// Moves the photograph to a store.
-    ///
-    /// # Errors
-    /// The same errors as [`Store::keep`].
-    pub(super) fn moved(self, store: &Store) -> Result<Self> {
-        let Self { width, height, pixels, valid, alpha } = self;
-        let pixels = pixels.moved(store)?;
-        let valid = valid.map(|valid| valid.moved(store)).transpose()?;
-        let alpha = alpha.map(|alpha| alpha.moved(store)).transpose()?;
-        Ok(Self { width, height, pixels, valid, alpha })
     }
 
     /// Width in pixels.
@@ -138,7 +125,7 @@ impl Photograph {
 impl From<&Image> for Photograph {
     fn from(image: &Image) -> Self {
         let [width, height] = image.size();
-        Self { width, height, pixels: image.pixels().to_vec().into(), valid: None, alpha: None }
+        Self { width, height, pixels: image.pixels().to_vec(), valid: None, alpha: None }
     }
 }
 

@@ -7,14 +7,14 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use rayon::prelude::*;
 
-use super::decode::{self, Budget};
 use super::find::{self, PhotographFile};
 use super::lens::{Lens, Projection};
 use super::{
     Alpha, Background, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout, Point,
-    Shot, bytes_of, develop, folder_of, hint, list, own_point, panorama, repeated,
+    Shot, bytes_of, decode, develop, folder_of, hint, list, own_point, panorama, repeated,
 };
 use organza_core::error::invalid;
+use organza_core::memory;
 use organza_core::scene::Placement;
 use organza_core::{Camera, Error, Result};
 
@@ -283,7 +283,8 @@ impl Poses {
         let Some(shot) = self.shots.get(index) else { return Ok(None) };
         let background = Background::Color(self.background()?);
         let options = DatasetOptions { background, ..self.options.clone() };
-        shot.develop(&options, &Budget::beside(0)).map(|(frame, _)| Some(frame))
+        shot.at_once(decode::budget(0))?;
+        shot.develop(&options).map(|(frame, _)| Some(frame))
     }
 
     /// The background of the photographs. The first call may look at every photograph.
@@ -323,23 +324,31 @@ impl Poses {
         let count = shots.len();
         let bytes = bytes_of(&shots);
         // checked before hours of reading
-        let store = options.keep.store(bytes)?;
-        let budget = Budget::beside(if store.is_some() { 0 } else { bytes });
+        memory::check(bytes, "the photographs (a larger downscale makes them smaller)")?;
+        let budget = decode::budget(bytes);
+        let mut together = count.max(1);
+        for shot in &shots {
+            together = together.min(shot.at_once(budget)? as usize);
+        }
         progress(0, count);
         let progress = Mutex::new((0, progress));
         let develop = |shot: &Shot| {
-            let (mut frame, digest) = shot.develop(&options, &budget)?;
-            if let Some(store) = &store {
-                frame.image = frame.image.moved(store)?;
-            }
+            let developed = shot.develop(&options)?;
             let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
             progress.0 += 1;
             let done = progress.0;
             (progress.1)(done, count);
-            Ok((frame, digest))
+            Ok(developed)
         };
-        let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
-        let (frames, digests): (Vec<_>, Vec<_>) = developed.into_iter().unzip();
+        let mut frames = Vec::with_capacity(count);
+        let mut digests = Vec::with_capacity(count);
+        for shots in shots.chunks(together) {
+            let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
+            for (frame, digest) in developed {
+                frames.push(frame);
+                digests.push(digest);
+            }
+        }
         let seen = (0..count).filter(|&index| !frames[index].image.is_hidden());
         let (held_out, train): (Vec<_>, Vec<_>) = seen.partition(|&index| shots[index].held_out);
         if train.is_empty() && !is_part {
@@ -366,7 +375,6 @@ impl Poses {
             prepared,
             outside,
             notes,
-            kept_in: store.map(|store| store.folder().to_owned()),
             fingerprint,
             kind,
             path,

@@ -17,8 +17,8 @@ pub(super) const BINDING: &str = "run";
 
 /// The version of this program.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
-/// Settings that may differ freely: the place of the data.
-const FREE: [&str; 2] = ["data.path", "data.keep"];
+/// A setting that may differ freely: the place of the data.
+const FREE: &str = "data.path";
 /// Settings that a schedule changes, also after the run's last checkpoint.
 const SCHEDULED: [&str; 2] = ["run.schedule", "run.steps"];
 /// Printed for a setting that is missing.
@@ -140,7 +140,7 @@ impl Binding {
             let now = value(&now, name);
             let then = value(&then, name);
             // a data set may move, but the built-in scene is a different data set
-            let is_free = FREE.contains(&name.as_str()) && now != NOT_SET && then != NOT_SET;
+            let is_free = name == FREE && now != NOT_SET && then != NOT_SET;
             let is_scheduled = continues && SCHEDULED.contains(&name.as_str());
             let is_known = || changes.iter().any(|change: &Change| change.name == *name);
             if now == then || is_free || is_scheduled || is_known() {

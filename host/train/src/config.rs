@@ -38,7 +38,6 @@ impl DataConfig {
             background: self.background,
             alpha: self.alpha,
             allow_outside: self.allow_outside,
-            keep: self.keep,
             placement: None,
         }
     }

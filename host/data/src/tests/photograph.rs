@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use super::super::develop::Shot;
 use super::super::lens::{Lens, Undistortion};
 use super::*;
-use crate::decode::Budget;
 use organza_core::Image;
 
 fn camera(width: u32, height: u32) -> Camera {
@@ -35,10 +34,10 @@ fn smaller_shot(path: PathBuf, camera: Camera, lens: Lens, factor: u32) -> Shot 
 }
 
 impl Shot {
-    /// Reads the frame, with all memory available.
+    /// Reads the frame.
     fn developed(&self) -> Result<Frame> {
         let options = in_the_world();
-        self.develop(&options, &Budget::new(u64::MAX)).map(|(frame, _)| frame)
+        self.develop(&options).map(|(frame, _)| frame)
     }
 }
 

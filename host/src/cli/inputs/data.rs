@@ -380,9 +380,6 @@ impl DataSet {
         if dataset.masked > 0 {
             note += &format!(", {} with a mask", dataset.masked);
         }
-        if let Some(folder) = &dataset.kept_in {
-            note += &format!(", kept in {}", folder.display());
-        }
         console.note(&note);
         dataset.notes[known..].iter().for_each(|note| console.warn(note));
         if self.settings.background == Background::Auto && dataset.background == [1.0; 3] {

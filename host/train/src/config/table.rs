@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::LearnExposure;
 use organza_core::scene::{Contraction, GridConfig, MlpConfig};
-use organza_data::{Alpha, Background, Keep};
+use organza_data::{Alpha, Background};
 use organza_render::CompositedTerm;
 
 /// A learning rate that falls from the first step to the last by a constant factor per step. See also
@@ -169,9 +169,6 @@ macro_rules! define {
                 /// Use of an alpha channel: with `background`, the background shows through; with `mask`, pixels below one
                 /// half are hidden.
                 alpha: Alpha = Alpha::default();
-                /// Where to keep photographs: `memory`, `disk`, or `auto`.
-                #[see("data.md#photographs-that-do-not-fit-in-memory")]
-                keep: Keep = Keep::default();
                 /// Views of the built-in scene.
                 built_in_views: u32 = 48, in 2..=1000;
                 /// Width and height of these views.

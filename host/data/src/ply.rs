@@ -1,9 +1,7 @@
 //! Reads vertices of PLY files (text, and binary of either byte order), and point clouds in nerfstudio's form.
 
-use std::cell::Cell;
-use std::io::{self, BufReader, Read};
+use std::io::{self, BufReader, Read, Take};
 use std::path::Path;
-use std::rc::Rc;
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
@@ -16,8 +14,8 @@ use organza_core::error::{Error, Result, invalid};
 use organza_core::input::open_regular;
 use organza_core::memory;
 
-/// Longest header and longest line of text, in bytes. The header of a scan with all its comments has a few kilobytes.
-const MAX_LINE: u64 = 1 << 20;
+/// Longest header in bytes. The header of a scan with all its comments has a few kilobytes.
+const MAX_HEADER: u64 = 1 << 20;
 const VERTEX: &str = "vertex";
 const POSITION: [&str; 3] = ["x", "y", "z"];
 const COLOR: [&str; 3] = ["red", "green", "blue"];
@@ -39,7 +37,7 @@ pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<V
 
 /// A PLY file after its header.
 pub struct Ply<'a, R: Read> {
-    reader: Reader<BufReader<Limited<R>>>,
+    reader: Reader<BufReader<Take<R>>>,
     header: Header,
     path: &'a Path,
 }
@@ -50,15 +48,20 @@ impl<'a, R: Read> Ply<'a, R> {
     /// # Errors
     /// [`Error::Invalid`] for a file that is no PLY, or that is shorter than its header says.
     pub fn open(source: R, length: u64, path: &'a Path) -> Result<Self> {
-        let limit = Rc::new(Cell::new(Some(Limit::Header)));
-        let since = Rc::new(Cell::new(0));
-        let limited = Limited { source, limit: Rc::clone(&limit), since: Rc::clone(&since) };
-        let mut reader = Reader::new(BufReader::new(limited));
+        let mut reader = Reader::new(BufReader::new(source.take(MAX_HEADER)));
         let header = Parser::<Skipped>::new().read_header(&mut reader);
+        let source = reader.get_mut().get_mut();
+        if header.is_err() && length > MAX_HEADER && source.limit() == 0 {
+            let reason = format!("the PLY file's header is longer than {MAX_HEADER} bytes");
+            return invalid(path, reason);
+        }
         let header = header.map_err(|error| broken(path, &error))?;
-        limit.set((header.encoding == Encoding::Ascii).then_some(Limit::Line));
-        since.set(0);
+        source.set_limit(u64::MAX);
         check(&header, length, path)?;
+        if header.encoding == Encoding::Ascii {
+            // all of it may be one line, with its copy in the parser's message
+            memory::check(length.saturating_mul(3), "the lines of a PLY file")?;
+        }
         Ok(Self { reader, header, path })
     }
 
@@ -108,42 +111,6 @@ impl PropertyAccess for Skipped {
         Self
     }
 }
-
-/// The bytes that a reader counts. A line or a header without an end would otherwise fill the memory.
-#[derive(Clone, Copy)]
-enum Limit {
-    /// Bytes since the start of the file.
-    Header,
-    /// Bytes since the last line break.
-    Line,
-}
-
-/// Reads at most [`MAX_LINE`] bytes, counted according to `limit`.
-struct Limited<R> {
-    source: R,
-    limit: Rc<Cell<Option<Limit>>>,
-    since: Rc<Cell<u64>>,
-}
-
-impl<R: Read> Read for Limited<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let read = self.source.read(buffer)?;
-        let Some(limit) = self.limit.get() else { return Ok(read) };
-        let end = buffer[..read].iter().rposition(|&byte| byte == b'\n');
-        let since = match (limit, end) {
-            (Limit::Line, Some(end)) => (read - end) as u64,
-            _ => self.since.get() + read as u64,
-        };
-        self.since.set(since);
-        match since > MAX_LINE {
-            true => Err(io::Error::other(TOO_LONG)),
-            false => Ok(read),
-        }
-    }
-}
-
-/// Message of the error. [`broken`] recognizes it by this text, too.
-const TOO_LONG: &str = "a line is too long";
 
 /// Checks the header against the file: it must not promise more than there is.
 fn check(header: &Header, length: u64, path: &Path) -> Result<()> {
@@ -259,9 +226,6 @@ pub fn number(property: &Property) -> Option<f64> {
 fn broken(path: &Path, error: &ParseError) -> Error {
     let place = match (error.kind(), error.line()) {
         (io::ErrorKind::UnexpectedEof, _) => "it was cut short".to_owned(),
-        _ if error.to_string().contains(TOO_LONG) => {
-            format!("its header, or a line of it, is longer than {MAX_LINE} bytes")
-        }
         (_, Some(line)) => format!("line {line} does not parse"),
         (_, None) => "a value does not parse".to_owned(),
     };

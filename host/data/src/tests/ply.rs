@@ -101,11 +101,7 @@ fn bad_files_are_refused_with_a_reason() {
     let huge = header(&format!("element vertex 4000000000\n{xyz}"));
     assert_error(huge.as_bytes(), &["more than"]);
     let one = header(&format!("element vertex 1\n{xyz}"));
-    let long = "1".repeat(3 << 20);
-    for damaged in
-        [one.replace("element", &format!("comment {long}\nelement")), one.replace("1 2 3", &long)]
-    {
-        assert_error(damaged.as_bytes(), &["longer than 1048576"]);
-    }
+    let long = one.replace("element", &format!("comment {}\nelement", "1".repeat(3 << 20)));
+    assert_error(long.as_bytes(), &["header is longer than 1048576"]);
     assert_facts(read(Path::new("absent.ply")), &["absent.ply", "no such file"]);
 }

@@ -19,9 +19,7 @@ mod sorted_backward;
 mod views;
 
 pub use distill::{Distilled, Fit, distill, psnr};
-pub use files::{
-    Format, META, MeshFormat, SplatFile, base_color, load, read_from, save, save_mesh,
-};
+pub use files::{Format, MeshFormat, SplatFile, base_color, load, read_from, save, save_mesh};
 pub use fitted::PHOTOGRAPHS;
 pub use mesh::Mesh;
 pub use placed::save_scene;

@@ -26,7 +26,7 @@ views that training has not seen. If you have the photographs, `organza train --
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The Gaussians: a .ply, .spz, .sog, .glb or .splat file, or the folder of an unpacked .sog
+    /// The Gaussians: a .ply, .spz, .sog, .glb or .splat file
     file: PathBuf,
     /// The views to train on: nerfstudio's transforms.json, or a data set. A few photographs show whether the Gaussians
     /// fit [default: views from all around the Gaussians]

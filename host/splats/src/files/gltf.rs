@@ -10,7 +10,7 @@ use organza_core::memory;
 use serde_json::{Map, Value, json};
 
 use super::{PLACEMENT, Splat, SplatFile, base_color, byte, log_of, said, turned, whole};
-use crate::harmonics::{DEGREE, FIRST, HARMONICS, MIDDLE};
+use crate::harmonics::{DEGREE, HARMONICS};
 use crate::placed::turn;
 use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
@@ -333,29 +333,15 @@ impl File<'_> {
         Ok(())
     }
 
-    /// The Gaussians of a primitive. In the extension's drafts, they have their opacity and their first harmonic in the color
-    /// of points, other names, or logarithms as scales.
+    /// The Gaussians of a primitive.
     fn primitive(&self, primitive: &Value, notes: &mut Vec<String>) -> Result<Vec<Splat>> {
         self.check_extension(&primitive["extensions"][EXTENSION], notes)?;
         let attributes = &primitive["attributes"];
-        let own = |name: &str| {
-            let found = attributes.get(format!("{EXTENSION}:{name}"));
-            found.or_else(|| attributes.get(format!("_{name}"))).and_then(Value::as_u64)
-        };
-        let color = attributes["COLOR_0"].as_u64();
-        let is_draft = color.is_some() && own("OPACITY").is_none();
+        let own = |name: &str| attributes[format!("{EXTENSION}:{name}")].as_u64();
         let positions: Vec<[f32; 3]> = self.values("POSITION", attributes["POSITION"].as_u64())?;
         let rotations: Vec<[f32; 4]> = self.values("ROTATION", own("ROTATION"))?;
         let scales: Vec<[f32; 3]> = self.values("SCALE", own("SCALE"))?;
-        let colors: Vec<[f32; 4]> = match is_draft {
-            true => self.values("COLOR_0", color)?,
-            false => Vec::new(),
-        };
-        let opacities: Vec<[f32; 1]> = match is_draft {
-            true => colors.iter().map(|color| [color[3]]).collect(),
-            false => self.values("OPACITY", own("OPACITY"))?,
-        };
-        let are_logs = scales.as_flattened().iter().any(|scale| *scale < 0.0);
+        let opacities: Vec<[f32; 1]> = self.values("OPACITY", own("OPACITY"))?;
         let count = positions.len();
         let mut splats: Vec<Splat> = memory::zeros(count, "the Gaussians of a glTF file")?;
         if [rotations.len(), scales.len(), opacities.len()] != [count; 3] {
@@ -365,19 +351,15 @@ impl File<'_> {
             let [x, y, z, w] = rotations[at];
             splat.position = positions[at];
             splat.rotation = [w, x, y, z];
-            splat.log_scale = if are_logs { scales[at] } else { scales[at].map(log_of) };
+            splat.log_scale = scales[at].map(log_of);
             splat.opacity = logit(opacities[at][0].clamp(OPACITY_EDGE, 1.0 - OPACITY_EDGE));
         }
         for (harmonic, name) in harmonic_names().take(HARMONICS).enumerate() {
             let index = own(&name);
-            let values: Vec<[f32; 3]> = match index {
-                None if harmonic > 0 => break,
-                None if is_draft => {
-                    let first = |value| (value - MIDDLE) / FIRST;
-                    colors.iter().map(|&[r, g, b, _]| [r, g, b].map(first)).collect()
-                }
-                _ => self.values(&name, index)?,
-            };
+            if index.is_none() && harmonic > 0 {
+                break;
+            }
+            let values: Vec<[f32; 3]> = self.values(&name, index)?;
             if values.len() != count {
                 return damaged(self.path, "its attributes have different lengths");
             }
@@ -549,30 +531,18 @@ mod tests {
         assert_close(&found, &splats(), [1e-6, 1e-5, 0.0, 0.0, 1e-6]);
     }
 
-    /// Drafts of the extension had the opacity and the first harmonic in the color of points.
     #[test]
-    fn drafts_are_read_and_unknown_values_noted() {
+    fn unknown_values_are_noted() {
         let bytes = with(|json| {
-            json["nodes"][0] = json!({"mesh": 0});
-            let primitive = &mut json["meshes"][0]["primitives"][0];
-            let attributes = primitive["attributes"].as_object_mut().unwrap();
-            attributes.remove("KHR_gaussian_splatting:OPACITY");
-            attributes.remove("KHR_gaussian_splatting:SH_DEGREE_0_COEF_0");
-            for name in ["SCALE", "ROTATION"] {
-                let values = attributes.remove(&format!("{EXTENSION}:{name}")).unwrap();
-                attributes.insert(format!("_{name}"), values);
-            }
-            primitive["extensions"][EXTENSION] = json!({"kernel": "disk"});
+            json["meshes"][0]["primitives"][0]["extensions"][EXTENSION]["kernel"] = json!("disk");
         });
         let file = super::super::read_from(&bytes[..], bytes.len() as u64, Path::new("a.glb"));
-        let file = file.unwrap();
-        assert_eq!(file.notes, ["its kernel \"disk\" is unknown, and read as ellipse"]);
-        let half = 0.5 / 255.0 / 0.282;
-        assert_close(&file.splats, &splats(), [0.0, 1e-5, half, 0.0, 1e-6]);
+        let notes = file.unwrap().notes;
+        assert_eq!(notes, ["its kernel \"disk\" is unknown, and read as ellipse"]);
     }
 
     #[test]
-    fn components_may_be_integers_and_scales_logarithms() {
+    fn components_may_be_integers() {
         let as_type = |name: &str, code: u32| {
             let name = name.to_owned();
             move |json: &mut Value| {
@@ -599,16 +569,6 @@ mod tests {
             let [a, b, ..] = x.to_le_bytes();
             let expected = (f32::from(i16::from_le_bytes([a, b])) / 32767.0).max(-1.0);
             assert_eq!(found.rotation[1], expected);
-        }
-        // harmonics have values of both signs, as logarithms of scales do
-        let bytes = with(|json| {
-            json["nodes"][0] = json!({"mesh": 0});
-            let attributes = &mut json["meshes"][0]["primitives"][0]["attributes"];
-            attributes["KHR_gaussian_splatting:SCALE"] =
-                attributes["KHR_gaussian_splatting:SH_DEGREE_1_COEF_0"].clone();
-        });
-        for (found, splat) in read_bytes(&bytes).unwrap().iter().zip(splats()) {
-            assert_eq!(found.log_scale, splat.color[1]);
         }
     }
 

@@ -9,7 +9,6 @@ mod sog;
 mod spz;
 
 pub use mesh::{MeshFormat, save_mesh};
-pub use sog::META;
 pub use spz::{SYSTEMS, from_axes};
 
 use std::cmp::Ordering;
@@ -25,7 +24,7 @@ use super::harmonics::{FIRST, MIDDLE};
 use super::placed::turn;
 use super::{Splat, VALUES};
 use organza_core::camera::median;
-use organza_core::input::{has_extension, open_regular, parse_json};
+use organza_core::input::{has_extension, open_regular};
 use organza_core::scene::{Placement, logit};
 use organza_core::{Error, Result, write_atomic};
 
@@ -186,16 +185,14 @@ pub fn save(
 const LARGEST_LOG_SCALE: f32 = 80.0;
 
 /// Reads the Gaussians of a file. Where a format says how the axes point, or a file does, they are turned: SPZ's point to the
-/// right, up and back, and glTF has y up. A file that organza wrote says where it lies in the world. A folder is an unpacked
-/// SOG file.
+/// right, up and back, and glTF has y up. A file that organza wrote says where it lies in the world.
 ///
 /// # Errors
 /// [`Error::ReadFile`]; [`Error::Invalid`] for another kind of file, a truncated one, or values that are not valid
 /// for a Gaussian; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
 pub fn load(path: impl AsRef<Path>) -> Result<SplatFile> {
     let path = path.as_ref();
-    let meta = path.join(sog::META);
-    let (file, length) = open_regular(if meta.is_file() { &meta } else { path })?;
+    let (file, length) = open_regular(path)?;
     read_from(BufReader::new(file), length, path)
 }
 
@@ -235,13 +232,11 @@ pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<S
         [b'P', b'K', 3 | 5, 4 | 6, ..] => sog::read(source, length, path)?,
         [b'g', b'l', b'T', b'F', ..] => gltf::read(source, length, path)?,
         _ if begin.trim_ascii_start().starts_with(b"{") => {
-            let json = parse_json(&whole(source, length, path)?, path)?;
-            if json.get("asset").is_some() && json.get("means").is_none() {
-                let reason = "a .gltf has its values in other files: write one .glb with everything in it, for example with \
-                              `npx @gltf-transform/cli copy`";
-                return invalid(path, reason);
-            }
-            sog::read_folder(json, path)?
+            return invalid(
+                path,
+                "a .gltf, or the description of an unpacked .sog, has its values in other files: write one .glb with \
+                 everything in it, for example with `npx @gltf-transform/cli copy`, or pack the .sog as a ZIP archive",
+            );
         }
         // nothing in such a file says what it is
         _ if has_extension(path, &["splat"]) => dot_splat::read(source, length, path)?,

@@ -1,11 +1,10 @@
 //! PlayCanvas' SOG, "spatially ordered Gaussians", version 2: lossless WebP images with a pixel for each Gaussian, and a
-//! `meta.json` that says what their levels mean, in a ZIP archive or in a folder.
+//! `meta.json` that says what their levels mean, in a ZIP archive.
 //! <https://developer.playcanvas.com/user-manual/gaussian-splatting/formats/sog/>
 
 use std::f32::consts::SQRT_2;
-use std::fs;
 use std::io::{self, Cursor, Read, Seek, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use image_webp::{ColorType, DecodingError, WebPDecoder, WebPEncoder};
 use muslin::math::sigmoid;
@@ -20,12 +19,12 @@ use super::{
     with_largest,
 };
 use crate::harmonics::{DEGREE, HARMONICS};
-use organza_core::error::{Error, Result, invalid};
-use organza_core::input::{open_regular, parse_json};
+use organza_core::error::{Result, invalid};
+use organza_core::input::parse_json;
 use organza_core::scene::Placement;
 
 /// The file of a SOG file that describes the others.
-pub const META: &str = "meta.json";
+const META: &str = "meta.json";
 /// Values that a code book has.
 const CODES: usize = 256;
 /// Harmonics but the first, and their numbers.
@@ -178,20 +177,15 @@ const MAX_PIXELS: usize = 1024;
 /// A level as it is read: a pixel of an image.
 type Pixel = [u8; 4];
 
-/// Where the images of a file are.
-enum Images {
-    /// An archive, and the folder in it that has them: empty, or ending in `/`, or in `\` as some on Windows.
-    Archive(ZipArchive<Cursor<Vec<u8>>>, String),
-    Folder(PathBuf),
-}
-
 /// A file that is read.
 struct File<'a> {
-    images: Images,
+    archive: ZipArchive<Cursor<Vec<u8>>>,
+    /// The folder in the archive that has all files: empty, or ending in `/`, or in `\` as some on Windows.
+    folder: String,
     meta: Value,
     /// Number of Gaussians.
     count: usize,
-    /// Bytes of the archive, or of the folder.
+    /// Bytes of the archive.
     length: usize,
     path: &'a Path,
 }
@@ -210,20 +204,10 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
         );
         return invalid(path, reason);
     };
-    let images = Images::Archive(archive, folder);
-    let mut file = File { images, meta: Value::Null, count: 0, length: length as usize, path };
+    let length = length as usize;
+    let mut file = File { archive, folder, meta: Value::Null, count: 0, length, path };
     file.meta = parse_json(&file.bytes(META)?, path)?;
     file.splats()
-}
-
-/// Reads an unpacked file, whose [`META`] has been read: `path` is this, or its folder.
-pub fn read_folder(meta: Value, path: &Path) -> Result<SplatFile> {
-    let folder = if path.is_dir() { path } else { path.parent().unwrap_or(path) };
-    let entries = fs::read_dir(folder).map_err(|error| Error::read(folder, error))?;
-    let length = |entry: io::Result<fs::DirEntry>| entry?.metadata().map(|found| found.len());
-    let length = entries.map(length).sum::<io::Result<u64>>();
-    let length = length.map_err(|error| Error::read(folder, error))? as usize;
-    File { images: Images::Folder(folder.to_owned()), meta, count: 0, length, path }.splats()
 }
 
 fn damaged<T>(path: &Path, reason: impl std::fmt::Display) -> Result<T> {
@@ -231,24 +215,10 @@ fn damaged<T>(path: &Path, reason: impl std::fmt::Display) -> Result<T> {
 }
 
 impl File<'_> {
-    /// A file of the archive, unpacked, or of the folder.
+    /// A file of the archive, unpacked.
     fn bytes(&mut self, name: &str) -> Result<Vec<u8>> {
         let path = self.path;
-        let (archive, folder) = match &mut self.images {
-            Images::Archive(archive, folder) => (archive, folder),
-            Images::Folder(folder) => {
-                if Path::new(name).file_name() != Some(name.as_ref()) {
-                    return damaged(
-                        path,
-                        format!("{META} names a file outside its folder: {name}"),
-                    );
-                }
-                let name = folder.join(name);
-                let (file, length) = open_regular(&name)?;
-                return whole(file, length, &name);
-            }
-        };
-        let file = archive.by_name(&format!("{folder}{name}"));
+        let file = self.archive.by_name(&format!("{}{name}", self.folder));
         let mut file = file.or_else(|error| damaged(path, format!("{name}: {error}")))?;
         let size = file.size();
         memory::check(size, "a file of a SOG archive")?;
@@ -516,28 +486,6 @@ mod tests {
     }
 
     #[test]
-    fn an_unpacked_file_is_read_from_its_folder_alone() {
-        let folder = tempfile::tempdir().unwrap();
-        let inner = folder.path().join("scene");
-        let bytes = with(|_| ());
-        ZipArchive::new(Cursor::new(bytes.clone())).unwrap().extract(&inner).unwrap();
-        let expected = read_bytes(&bytes).unwrap();
-        for path in [inner.clone(), inner.join(META)] {
-            assert_eq!(super::super::load(path).unwrap().splats, expected);
-        }
-        fs::copy(inner.join("quats.webp"), folder.path().join("quats.webp")).unwrap();
-        let mut meta: Value = serde_json::from_slice(&fs::read(inner.join(META)).unwrap()).unwrap();
-        let path = folder.path().join("quats.webp");
-        for name in ["../quats.webp", "..", "", path.to_str().unwrap()] {
-            meta["quats"]["files"][0] = json!(name);
-            fs::write(inner.join(META), meta.to_string()).unwrap();
-            let error = super::super::load(&inner).unwrap_err().to_string();
-            assert!(error.contains("outside its folder"), "{error}");
-        }
-        assert_refused(br#"{"asset": {"version": "2.0"}, "nodes": []}"#, &[".gltf", ".glb"]);
-    }
-
-    #[test]
     fn files_of_others_are_read_or_refused_with_a_reason() {
         let all = read_bytes(&with(|_| ())).unwrap();
         let one_color = read_bytes(&with(|meta| drop(meta.as_object_mut().unwrap().remove("shN"))));
@@ -571,5 +519,7 @@ mod tests {
         archive.start_file("scene.ply", SimpleFileOptions::default()).unwrap();
         let bytes = archive.finish().unwrap().into_inner();
         assert_refused(&bytes, &["ZIP archive", "unpack"]);
+        assert_refused(br#"{"version": 2, "means": {}}"#, &["unpacked .sog", "pack"]);
+        assert_refused(br#"{"asset": {"version": "2.0"}, "nodes": []}"#, &[".gltf", ".glb"]);
     }
 }

@@ -28,8 +28,7 @@ Examples:
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The file, which is recognized by its content, or by its ending. Or a folder: a training run's, a data set, or an
-    /// unpacked .sog
+    /// The file, which is recognized by its content, or by its ending. Or a folder: a training run's, or a data set
     file: PathBuf,
     /// Print JSON
     #[arg(long)]

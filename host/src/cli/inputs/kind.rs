@@ -6,7 +6,7 @@ use std::path::Path;
 
 use organza::error::invalid;
 use organza::train::{CHECKPOINT, CONFIG};
-use organza::{Error, Result, Scene, data, splats};
+use organza::{Error, Result, Scene, data};
 use organza_core::input::{has_extension, open_regular};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -33,13 +33,12 @@ impl FileKind {
     pub fn from_path(path: &Path) -> Option<Self> {
         if path.is_dir() {
             let is_run = [CHECKPOINT, CONFIG].iter().any(|name| path.join(name).exists());
-            return match data::kind_of(path) {
-                _ if is_run => Some(Self::Run),
-                None if path.join(splats::META).is_file() => Some(Self::Splats),
-                found => found.map(|_| Self::DataSet),
+            return match is_run {
+                true => Some(Self::Run),
+                false => data::kind_of(path).map(|_| Self::DataSet),
             };
         }
-        if path.is_file() && (has_extension(path, &SPLATS) || path.ends_with(splats::META)) {
+        if path.is_file() && has_extension(path, &SPLATS) {
             return Some(Self::Splats);
         }
         match Self::by_content(path).ok()? {

@@ -1,18 +1,11 @@
-//! Properties for all inputs: the clip, tile intersection, the composite.
+//! Properties for all inputs: the clip, and tile intersection.
 
 use glam::{Vec2, Vec3, Vec4};
-use muslin_device::Buffer;
-use organza::Device;
-use organza_parity::exact::composite::Splat;
-use organza_parity::exact::project::cutoff;
 use organza_shaders::camera::Camera;
-use organza_shaders::composite::{CompositeKernel, CompositeParams};
 use organza_shaders::project::{falloff, mahalanobis, project_gaussian};
-use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveKernel, ResolveParams};
 use organza_shaders::segment::{clip_to_unit_cube, clipped_segment, point_along};
-use organza_shaders::tile::{Tile, distance_squared, reaches};
+use organza_shaders::tile::{distance_squared, reaches};
 use organza_shaders::unit_cube::Split;
-use organza_tests::devices;
 use proptest::prelude::*;
 
 /// Coordinates on the cube's planes, near them, and anywhere.
@@ -123,116 +116,4 @@ proptest! {
             }
         }
     }
-}
-
-/// Splats anywhere around a tile of side 8, and whether they are so transparent that S stays below 1.
-fn splats() -> impl Strategy<Value = Vec<[Vec4; 3]>> {
-    let one = (
-        -4.0f32..12.0,
-        -4.0f32..12.0,
-        0.0f32..1.0,
-        0.005f32..0.5,
-        0.005f32..0.5,
-        vector(0.0f32..1.0),
-    )
-        .prop_map(|(x, y, weight, xx, yy, color)| {
-            [Vec4::new(x, y, weight, 1e9), Vec4::new(xx, 0.0, yy, 1e9), color.extend(0.0)]
-        });
-    prop::collection::vec(one, 0..32)
-}
-
-/// Runs `composite` and `resolve` over one tile of side 8: sums and pixels.
-fn composite(
-    device: &Device,
-    splats: &[[Vec4; 3]],
-    order: &[u32],
-    background: Vec3,
-) -> (Vec<Vec4>, Vec<Vec3>) {
-    const SIDE: u32 = 8;
-    let upload =
-        |label, values: &[u32]| -> Buffer<u32> { device.upload(label, values).expect("memory") };
-    let tile = Tile { camera: 0, origin: [0, 0], output: 0 };
-    let tile = device.upload("tile", &tile.pack()).expect("memory");
-    let sum = device.zeros("sum", (4 * SIDE * SIDE) as usize).expect("memory");
-    let kernel = CompositeKernel {
-        params: CompositeParams { side: SIDE, skip: 0 },
-        tile: &tile,
-        tile_first: &upload("first", &[0, order.len() as u32]),
-        intersection: &upload("intersection", order),
-        cells: &upload("cells", &vec![u32::MAX; order.len()]),
-        splat: &device.upload("splat", splats.as_flattened()).expect("memory"),
-        sum: &sum,
-    };
-    device.run_over(&kernel, [SIDE, SIDE, 1]).expect("it runs");
-    let image = device.zeros("image", (3 * SIDE * SIDE) as usize).expect("memory");
-    let [background_r, background_g, background_b] = background.to_array();
-    let params = ResolveParams {
-        side: SIDE,
-        background_r,
-        background_g,
-        background_b,
-        divide_above: DIVIDE_ABOVE,
-    };
-    device
-        .run_over(&ResolveKernel { params, tile: &tile, sum: &sum, image: &image }, [SIDE, SIDE, 1])
-        .expect("it runs");
-    let image = device.read(&image).expect("it ran");
-    let area = (SIDE * SIDE) as usize;
-    let pixels =
-        (0..area).map(|p| Vec3::new(image[p], image[area + p], image[2 * area + p])).collect();
-    let sum = device.read(&sum).expect("it ran");
-    let plane = |channel: usize, p: usize| sum[channel * area + p];
-    let sums = (0..area).map(|p| Vec4::from_array([0, 1, 2, 3].map(|c| plane(c, p))));
-    (sums.collect(), pixels)
-}
-
-#[test]
-fn composites_are_weighted_means() {
-    let device = devices::cpu(Some(1));
-    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig::with_cases(256));
-    let divided = std::cell::Cell::new(0);
-    runner
-        .run(&(splats(), vector(0.0f32..1.0), any::<u64>()), |(splats, background, seed)| {
-            let order: Vec<u32> = (0..splats.len() as u32).collect();
-            let (sums, pixels) = composite(&device, &splats, &order, background);
-            let mut shuffled = order.clone();
-            shuffled.sort_by_key(|&i| {
-                (u64::from(i) + 1).wrapping_mul(seed | 1).wrapping_mul(0x9e37_79b9_7f4a_7c15)
-            });
-            let (_, other) = composite(&device, &splats, &shuffled, background);
-            for (index, (sum, pixel)) in sums.iter().zip(&pixels).enumerate() {
-                let center = Vec2::new((index % 8) as f32 + 0.5, (index / 8) as f32 + 0.5);
-                let center = center.as_dvec2().to_array();
-                let exact: Vec<_> = splats.iter().map(Splat::<f64>::from_vectors).collect();
-                if exact.iter().any(|splat| (splat.q(center) - cutoff()).abs() < 1e-4) {
-                    continue; // rounding decides whether that falloff has ended: either is right
-                }
-                let total: f64 = exact.iter().map(|splat| splat.term(center)[3]).sum();
-                prop_assert!(
-                    (f64::from(sum.w) - total).abs() <= 1e-5 * total.max(1.0) + 1e-9,
-                    "S {} for {total}",
-                    sum.w
-                );
-                let mixed = splats.iter().map(|[_, _, color]| color.truncate());
-                let mut low = Vec3::splat(f32::INFINITY);
-                let mut high = Vec3::splat(f32::NEG_INFINITY);
-                for color in mixed.chain((sum.w <= 1.0).then_some(background)) {
-                    low = low.min(color);
-                    high = high.max(color);
-                }
-                prop_assert!(
-                    pixel.cmpge(low - 1e-5).all() && pixel.cmple(high + 1e-5).all(),
-                    "{pixel} of {low}..{high}"
-                );
-                prop_assert!(
-                    (*pixel - other[index]).abs().max_element() <= 1e-5,
-                    "the order of the intersections shows"
-                );
-                divided.set(divided.get() + u32::from(sum.w > 1.0));
-            }
-            Ok(())
-        })
-        .unwrap_or_else(|error| panic!("{error}"));
-    let divided = divided.get();
-    assert!(divided > 1000, "the branch S > 1 of Eq. 13 was taken {divided} times");
 }

@@ -40,7 +40,7 @@ use organza_core::error::Error;
 use organza_core::error::invalid;
 use organza_core::input::has_extension;
 use organza_core::scene::Placement;
-use organza_core::{Camera, Result};
+use organza_core::Result;
 pub use photograph::{DatasetKind, Frame, Photograph, Point};
 pub use poses::{Pose, Poses, kind_of};
 pub use random::random;

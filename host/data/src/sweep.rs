@@ -251,18 +251,21 @@ impl<'v> Ray<'v> {
             keys.sort_by(|a, b| a.0.total_cmp(&b.0));
             keys.into_iter().find(|(_, inverse)| self.is_possible(*inverse, views))
         };
-        let (_, mut inverse) = draw()?;
+        let (_, inverse) = draw()?;
         let (_, other) = draw()?;
         if (other - inverse).abs() > APART * step {
             return None;
         }
         // refine between two depths
-        let score = |at: &f64| self.difference(*at).unwrap_or(f32::INFINITY);
+        let scored = |at: f64| (self.difference(at).unwrap_or(f32::INFINITY), at);
+        let mut best = scored(inverse);
         for part in [0.5, 0.25, 0.125] {
-            let near = [inverse, inverse - part * step, inverse + part * step];
-            let best = near.into_iter().min_by(|a, b| score(a).total_cmp(&score(b)));
-            inverse = best.unwrap_or(inverse);
+            let near = [best.1 - part * step, best.1 + part * step].map(scored);
+            best = near
+                .into_iter()
+                .fold(best, |best, found| if found.0 < best.0 { found } else { best });
         }
+        let inverse = best.1;
         let color = (self.color * 255.0).round().to_array().map(|value| value as u8);
         Some(Point { position: self.at(inverse).to_array(), color: Some(color) })
     }

@@ -40,7 +40,7 @@ use organza_core::error::Error;
 use organza_core::error::invalid;
 use organza_core::input::has_extension;
 use organza_core::scene::Placement;
-use organza_core::Result;
+use organza_core::{Camera, Result};
 pub use photograph::{DatasetKind, Frame, Photograph, Point};
 pub use poses::{Pose, Poses, kind_of};
 pub use random::random;
@@ -121,6 +121,22 @@ impl Dataset {
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
     pub fn load(path: impl AsRef<Path>, options: &DatasetOptions) -> Result<Self> {
         Poses::load(path.as_ref(), options)?.photographs(&mut |_, _| {})
+    }
+
+    /// The data set in the coordinates of a scene with this placement.
+    #[must_use]
+    pub fn placed(mut self, placement: Placement) -> Self {
+        let from = std::mem::replace(&mut self.placement, placement);
+        if from != placement {
+            for (frame, &camera_to_world) in self.frames.iter_mut().zip(&self.poses) {
+                let world = Camera { camera_to_world, ..frame.camera.clone() };
+                frame.camera = placement.own_camera(&world);
+            }
+            for Point { position, .. } in &mut self.points {
+                *position = own_point(&placement, from.world(*position));
+            }
+        }
+        self
     }
 
     /// The frames to train on.

@@ -10,7 +10,7 @@ use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, FromArgMatches};
 use indicatif::HumanDuration;
-use organza::error::{self, format_bytes};
+use organza::error;
 use organza::scene::Placement;
 use organza::train::config::{self, LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
@@ -456,13 +456,7 @@ impl TrainJob<'_> {
                 let dataset = &dataset;
                 scope.spawn(move || follow_thread(ranks, options, dataset, mixed));
             }
-            let outcome = session.run(self.resume, &mut see);
-            if let (Some(ranks), Ok(_)) = (&session.ranks, &outcome) {
-                let sent = format_bytes(ranks.sent());
-                let size = ranks.size();
-                console.detail(&format!("rank 0 of {size} has handed over {sent} to the others"));
-            }
-            outcome
+            session.run(self.resume, &mut see)
         })?;
         progress.end(outcome);
         Ok(outcome)

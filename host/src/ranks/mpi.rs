@@ -1,7 +1,6 @@
 //! Ranks that are MPI processes.
 
 use std::fmt;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use mpi::collective::SystemOperation;
@@ -25,7 +24,6 @@ pub struct MpiRanks {
     rank: usize,
     size: usize,
     calls: Mutex<Calls>,
-    sent: AtomicU64,
 }
 
 /// State that MPI calls need. The communicator must be freed before MPI ends.
@@ -62,15 +60,11 @@ impl MpiRanks {
         let world = universe.world().duplicate();
         let [rank, size] = [world.rank(), world.size()].map(|number| number as usize);
         let calls = Mutex::new(Calls { world, _universe: universe });
-        Ok(Self { rank, size, calls, sent: 0.into() })
+        Ok(Self { rank, size, calls })
     }
 
     fn calls(&self) -> MutexGuard<'_, Calls> {
         self.calls.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn count(&self, bytes: usize) {
-        self.sent.fetch_add(bytes as u64, Ordering::Relaxed);
     }
 
     fn reduce<T: Equivalence + Copy>(
@@ -78,7 +72,6 @@ impl MpiRanks {
         values: &mut [T],
         operation: impl Fn() -> SystemOperation,
     ) {
-        self.count(size_of_val(values));
         let calls = self.calls();
         for values in values.chunks_mut(AT_ONCE) {
             let mine = values.to_vec();
@@ -148,7 +141,6 @@ impl Ranks for MpiRanks {
     }
 
     fn gather(&self, mine: Vec<u8>) -> Result<Vec<Vec<u8>>> {
-        self.count(mine.len());
         let world = &self.calls().world;
         let mut lengths = vec![0_u64; self.size];
         world.all_gather_into(&(mine.len() as u64), &mut lengths[..]);
@@ -157,7 +149,6 @@ impl Ranks for MpiRanks {
     }
 
     fn exchange(&self, for_each: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>> {
-        self.count(for_each.iter().map(Vec::len).sum());
         let world = &self.calls().world;
         let sent: Vec<_> = for_each.iter().map(|bytes| bytes.len() as u64).collect();
         let mut lengths = vec![0_u64; self.size];
@@ -170,7 +161,6 @@ impl Ranks for MpiRanks {
 
     fn broadcast(&self, mine: Vec<u8>) -> Result<Vec<u8>> {
         let mut bytes = if self.rank == 0 { mine } else { Vec::new() };
-        self.count(bytes.len());
         let calls = self.calls();
         let root = calls.world.process_at_rank(0);
         let mut length = bytes.len() as u64;
@@ -193,10 +183,6 @@ impl Ranks for MpiRanks {
             // another thread is waiting in a call; the launcher ends the other processes
             Err(_) => std::process::exit(2),
         }
-    }
-
-    fn sent(&self) -> u64 {
-        self.sent.load(Ordering::Relaxed)
     }
 }
 

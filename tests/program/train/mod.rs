@@ -23,4 +23,3 @@ mod results;
 pub mod runs;
 mod settings;
 mod signals;
-mod volume;

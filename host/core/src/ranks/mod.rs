@@ -56,9 +56,6 @@ pub trait Ranks: Debug + Send + Sync {
 
     /// Reports that this rank cannot go on. The other ranks end with this message.
     fn fail(&self, message: &str);
-
-    /// Bytes that this rank has sent in all calls so far.
-    fn sent(&self) -> u64;
 }
 
 /// The error of a rank that ends because another one has failed.

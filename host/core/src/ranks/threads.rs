@@ -1,6 +1,5 @@
 //! Ranks that are threads of one process.
 
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
 use super::{Ranks, ended};
@@ -28,7 +27,6 @@ type Message = Arc<Vec<Vec<u8>>>;
 pub struct ThreadRanks {
     rank: usize,
     shared: Arc<Shared>,
-    sent: AtomicU64,
 }
 
 #[derive(Debug)]
@@ -59,7 +57,7 @@ impl ThreadRanks {
         assert!(size > 0, "no rank");
         let state = CallState { messages: vec![None; size], ..CallState::default() };
         let shared = Arc::new(Shared { size, state: state.into(), changed: Condvar::new() });
-        let rank = |rank| Self { rank, shared: shared.clone(), sent: 0.into() };
+        let rank = |rank| Self { rank, shared: shared.clone() };
         (0..size).map(rank).collect()
     }
 
@@ -87,8 +85,6 @@ impl ThreadRanks {
 
     /// Sends a message to all ranks, and waits for theirs.
     fn all(&self, mine: Vec<Vec<u8>>) -> Result<Vec<Message>> {
-        let bytes: usize = mine.iter().map(Vec::len).sum();
-        self.sent.fetch_add(bytes as u64, Ordering::Relaxed);
         let mut state = self.lock();
         let call = state.calls;
         state.messages[self.rank] = Some(Arc::new(mine));
@@ -173,10 +169,6 @@ impl Ranks for ThreadRanks {
 
     fn fail(&self, message: &str) {
         self.end(message);
-    }
-
-    fn sent(&self) -> u64 {
-        self.sent.load(Ordering::Relaxed)
     }
 }
 

@@ -44,6 +44,7 @@ fn units_and_origin_of_the_files_do_not_matter() {
         let given: Vec<_> = world.frames.iter().map(|frame| frame.camera.camera_to_world).collect();
         assert_eq!(found.poses, given);
         assert_eq!(found.fingerprint, world.fingerprint);
+        assert_eq!(world.placed(found.placement), found);
     }
 }
 

@@ -224,7 +224,7 @@ impl Layout {
 
 /// Recognizes the format of a data set, and lists its content.
 fn list(poses: &mut Poses) -> Result<()> {
-    let path = &*poses.path.clone();
+    let path = &*poses.dataset.path.clone();
     if !path.is_dir() {
         if is_video(path) {
             let reason = format!(

@@ -10,8 +10,8 @@ use rayon::prelude::*;
 use super::find::{self, PhotographFile};
 use super::lens::{Lens, Projection};
 use super::{
-    Alpha, Background, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout, Point,
-    Shot, bytes_of, decode, develop, folder_of, hint, list, own_point, panorama, repeated,
+    Alpha, Background, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout, Shot,
+    bytes_of, decode, develop, folder_of, hint, list, own_point, panorama, repeated,
 };
 use organza_core::error::invalid;
 use organza_core::memory;
@@ -25,26 +25,10 @@ const LIKELY_FOCALS: RangeInclusive<f64> = 0.08..=100.0;
 /// set. [`Poses::photographs`] reads the photographs.
 #[derive(Default)]
 pub struct Poses {
-    /// Photographs of the data set that do not exist as files. Their frames are left out.
-    pub missing: Vec<PathBuf>,
-    /// Files outside of the data set's folder, as the data set names them.
-    pub outside: Vec<PathBuf>,
-    /// Warnings: clouds, masks and models that are not used, and cameras or photographs that cannot be right.
-    pub notes: Vec<String>,
-    /// Format of the data set.
-    pub kind: DatasetKind,
-    /// Path of the data set.
-    pub path: PathBuf,
-    /// Where the coordinates of cameras and points lie in the world, which is the files' own space.
-    pub placement: Placement,
-    /// The fingerprint of the files. It does not depend on the placement.
-    fingerprint: Fingerprint,
+    /// All that is known before the photographs are read. It has no frames yet.
+    pub dataset: Dataset,
     /// The existing photographs.
     pub(super) shots: Vec<Shot>,
-    pub(super) points: Vec<Point>,
-    pub(super) points_file: Option<PathBuf>,
-    /// Number of photographs that were smaller already.
-    prepared: usize,
     pub(super) options: DatasetOptions,
     /// The data set's folder, without links.
     folder: PathBuf,
@@ -77,11 +61,11 @@ impl Poses {
         fs::metadata(path).map_err(|source| Error::read(path, source))?;
         let mut poses = Self::new(&folder_of(path), options)?;
         list(&mut poses)?;
-        poses.notes.extend(poses.unlikely_lens());
-        poses.notes.extend(poses.unused_masks());
-        let path = &poses.path;
-        if let ([], [first, ..]) = (&*poses.shots, &*poses.missing) {
-            let all = poses.missing.len();
+        poses.dataset.notes.extend(poses.unlikely_lens());
+        poses.dataset.notes.extend(poses.unused_masks());
+        let path = &poses.dataset.path;
+        if let ([], [first, ..]) = (&*poses.shots, &*poses.dataset.missing) {
+            let all = poses.dataset.missing.len();
             let hint = hint(path, Some(first)).unwrap_or_default();
             let first = first.display();
             let reason =
@@ -90,10 +74,10 @@ impl Poses {
         }
         let shots = poses.shots.iter();
         let known = shots.map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
-        poses.fingerprint = Fingerprint::new(known, &poses.points);
+        poses.dataset.fingerprint = Fingerprint::new(known, &poses.dataset.points);
         let suggested = || {
             let cameras: Vec<_> = poses.shots.iter().map(|shot| shot.camera.clone()).collect();
-            let points: Vec<_> = poses.points.iter().map(|point| point.position).collect();
+            let points: Vec<_> = poses.dataset.points.iter().map(|point| point.position).collect();
             Placement::of(&cameras, &points)
         };
         let placement = options.placement.unwrap_or_else(suggested);
@@ -109,7 +93,8 @@ impl Poses {
             _ => Path::new("."),
         };
         let folder = fs::canonicalize(folder).map_err(|source| Error::read(folder, source))?;
-        Ok(Self { path: path.to_owned(), folder, options: options.clone(), ..Self::default() })
+        let dataset = Dataset { path: path.to_owned(), ..Dataset::default() };
+        Ok(Self { dataset, folder, options: options.clone(), ..Self::default() })
     }
 
     /// Checks a file of the data set before it is opened.
@@ -130,7 +115,7 @@ impl Poses {
             );
             return invalid(file, reason);
         }
-        self.outside.push(file.to_owned());
+        self.dataset.outside.push(file.to_owned());
         Ok(())
     }
 
@@ -155,7 +140,7 @@ impl Poses {
             }
             false => (camera, downscale),
         };
-        self.prepared += usize::from(prepared);
+        self.dataset.prepared += usize::from(prepared);
         let name = camera.file_path.clone().unwrap_or_default();
         let pose = camera.camera_to_world;
         let trained = None;
@@ -185,7 +170,7 @@ impl Poses {
 
     /// A note if there are masks, but none for any photograph.
     fn unused_masks(&self) -> Option<String> {
-        let path = &self.path;
+        let path = &self.dataset.path;
         let folder = if path.is_dir() { path } else { path.parent()? }.join(find::MASKS);
         let first = self.shots.first()?;
         let is_empty = fs::read_dir(&folder).ok()?.next().is_none();
@@ -203,21 +188,21 @@ impl Poses {
 
     /// Turns cameras and points into the coordinates of a scene. From here on, all of organza computes in these.
     fn place(&mut self, placement: Placement) {
-        self.placement = placement;
+        self.dataset.placement = placement;
         if placement.is_identity() {
             return;
         }
         for shot in &mut self.shots {
             shot.camera = placement.own_camera(&shot.camera);
         }
-        for point in &mut self.points {
+        for point in &mut self.dataset.points {
             point.position = own_point(&placement, point.position);
         }
     }
 
     /// Describes how frames and points differ from a run's; `None` if they do not.
     pub fn difference(&self, trained: &Fingerprint) -> Option<&'static str> {
-        self.fingerprint.difference(trained)
+        self.dataset.fingerprint.difference(trained)
     }
 
     /// Accepts only the photographs that a run was trained on: reading a changed one is an error.
@@ -267,9 +252,9 @@ impl Poses {
         let moved = self.shots.iter_mut().zip(motions).enumerate();
         for (index, (shot, motion)) in moved {
             let Some(motion) = motion else { continue };
-            let moved = self.placement.world_camera(&shot.camera.moved(*motion));
+            let moved = self.dataset.placement.world_camera(&shot.camera.moved(*motion));
             // as if a file had the moved camera, to the bit
-            shot.camera = self.placement.own_camera(&moved);
+            shot.camera = self.dataset.placement.own_camera(&moved);
             shot.camera.validate(index)?;
         }
         Ok(())
@@ -294,7 +279,7 @@ impl Poses {
         }
         let may_be_white = self.options.background == Background::Auto
             && self.options.alpha == Alpha::Background
-            && self.kind == DatasetKind::Blender;
+            && self.dataset.kind == DatasetKind::Blender;
         let mut background = self.options.background.color();
         for shot in self.shots.iter().take_while(|_| may_be_white) {
             if decode::has_alpha(&shot.path)? {
@@ -305,11 +290,6 @@ impl Poses {
         Ok(*self.background.get_or_init(|| background))
     }
 
-    /// The data set's points.
-    pub fn points(&self) -> &[Point] {
-        &self.points
-    }
-
     /// Reads the photographs. Calls `progress` with the number of finished photographs and of all photographs. The first
     /// call is before the first photograph.
     ///
@@ -317,10 +297,8 @@ impl Poses {
     /// The same errors as [`Dataset::load`].
     pub fn photographs(self, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Dataset> {
         let background = self.background()?;
-        let Self { missing, outside, kind, path, placement, .. } = self;
-        let Self { fingerprint, options, is_part, mut notes, .. } = self;
-        let Self { points, points_file, shots, prepared, .. } = self;
-        let options = DatasetOptions { background: Background::Color(background), ..options };
+        let Self { mut dataset, shots, is_part, .. } = self;
+        let options = DatasetOptions { background: Background::Color(background), ..self.options };
         let count = shots.len();
         let bytes = bytes_of(&shots);
         // checked before hours of reading
@@ -340,47 +318,29 @@ impl Poses {
             (progress.1)(done, count);
             Ok(developed)
         };
-        let mut frames = Vec::with_capacity(count);
         let mut digests = Vec::with_capacity(count);
         for shots in shots.chunks(together) {
             let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
             for (frame, digest) in developed {
-                frames.push(frame);
+                dataset.frames.push(frame);
                 digests.push(digest);
             }
         }
-        let seen = (0..count).filter(|&index| !frames[index].image.is_hidden());
-        let (held_out, train): (Vec<_>, Vec<_>) = seen.partition(|&index| shots[index].held_out);
-        if train.is_empty() && !is_part {
+        let seen = (0..count).filter(|&index| !dataset.frames[index].image.is_hidden());
+        (dataset.held_out, dataset.train) = seen.partition(|&index| shots[index].held_out);
+        if dataset.train.is_empty() && !is_part {
             let reason = format!(
                 "all {count} photographs that are there are held out, so none is left to train on; \
                  add photographs, or hold none out"
             );
-            return invalid(&path, reason);
+            return invalid(&dataset.path, reason);
         }
-        let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
-        let fingerprint = fingerprint.with_photographs(&digests);
-        notes.extend(repeated(&shots, &digests));
-        let background = background.map(f64::from);
-        let poses = shots.iter().map(|shot| shot.pose).collect();
-        Ok(Dataset {
-            frames,
-            train,
-            held_out,
-            background,
-            points,
-            points_file,
-            missing,
-            masked,
-            prepared,
-            outside,
-            notes,
-            fingerprint,
-            kind,
-            path,
-            placement,
-            poses,
-        })
+        dataset.masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
+        dataset.fingerprint = dataset.fingerprint.with_photographs(&digests);
+        dataset.notes.extend(repeated(&shots, &digests));
+        dataset.background = background.map(f64::from);
+        dataset.poses = shots.iter().map(|shot| shot.pose).collect();
+        Ok(dataset)
     }
 }
 

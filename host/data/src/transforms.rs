@@ -35,7 +35,7 @@ const ON_DISK: Photographs = Photographs { find: find::photograph, size: decode:
 
 /// Reads nerfstudio's file at `path`.
 pub(super) fn nerfstudio(poses: &mut Poses, path: &Path) -> Result<()> {
-    poses.kind = DatasetKind::Nerfstudio;
+    poses.dataset.kind = DatasetKind::Nerfstudio;
     let file = read_json(path)?;
     let options = poses.options.clone();
     add_frames(poses, &file, path, |position| options.holds_out(position), &ON_DISK)?;
@@ -49,8 +49,8 @@ fn add_points(poses: &mut Poses, file: &Value, path: &Path) -> Result<()> {
         Some(Value::String(points)) => {
             let points = find::named(folder(path), points);
             poses.check_place(&points)?;
-            poses.points = ply::read(&points)?;
-            poses.points_file = Some(points);
+            poses.dataset.points = ply::read(&points)?;
+            poses.dataset.points_file = Some(points);
             return Ok(());
         }
         Some(other) => {
@@ -61,21 +61,21 @@ fn add_points(poses: &mut Poses, file: &Value, path: &Path) -> Result<()> {
     match points(folder(path), poses) {
         Ok(None) => {}
         Ok(Some((points, file))) => {
-            poses.points = points;
-            poses.points_file = Some(file);
+            poses.dataset.points = points;
+            poses.dataset.points_file = Some(file);
         }
-        Err(reason) => poses.notes.push(reason),
+        Err(reason) => poses.dataset.notes.push(reason),
     }
-    if poses.points.is_empty() {
+    if poses.dataset.points.is_empty() {
         let reason = format!("{} does not name it as `ply_file_path`", path.display());
-        poses.notes.extend(find::unused_clouds(folder(path), &reason));
+        poses.dataset.notes.extend(find::unused_clouds(folder(path), &reason));
     }
     Ok(())
 }
 
 /// Reads Blender's files; `train` is the first of them.
 pub(super) fn blender(poses: &mut Poses, train: &Path) -> Result<()> {
-    poses.kind = DatasetKind::Blender;
+    poses.dataset.kind = DatasetKind::Blender;
     let test = train.with_file_name(BLENDER_TEST);
     let has_test = test.exists();
     let options = poses.options.clone();
@@ -107,7 +107,7 @@ pub(super) fn add_frames(
         let found = match (photographs.find)(folder(path), name, mask, downscale) {
             Ok(found) => found,
             Err(expected) => {
-                poses.missing.push(expected);
+                poses.dataset.missing.push(expected);
                 continue;
             }
         };

@@ -76,7 +76,7 @@ fn warn_of_data(folders: &[PathBuf], console: Console) -> Result<()> {
         if let Some(poses) = data
             && let Some(what) = poses.difference(trained.data())
         {
-            let data = poses.path.display();
+            let data = poses.dataset.path.display();
             let run = folder.display();
             console.warn(&format!(
                 "{data}: its {what} have changed since {run} was trained, whose scores are of the data as it was"

@@ -103,5 +103,5 @@ fn fitted(file: SplatFile, cameras: &Path, options: &DatasetOptions) -> Result<S
     let some = (0..all).step_by(all.div_ceil(PHOTOGRAPHS).max(1));
     let frames: Vec<_> = some.filter_map(|index| poses.photograph(index).ok().flatten()).collect();
     let frames: Vec<_> = frames.iter().collect();
-    Ok(file.fitted(&frames, &poses.placement))
+    Ok(file.fitted(&frames, &poses.dataset.placement))
 }

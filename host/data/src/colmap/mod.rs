@@ -158,10 +158,10 @@ fn numbered(folder: &Path) -> Vec<PathBuf> {
 
 /// Reads a model, and finds its photographs.
 pub(super) fn list(poses: &mut Poses, model: &Model) -> Result<()> {
-    let folder = &*poses.path.clone();
+    let folder = &*poses.dataset.path.clone();
     let downscale = poses.options.downscale;
-    poses.kind = DatasetKind::Colmap;
-    poses.notes.extend(model.note());
+    poses.dataset.kind = DatasetKind::Colmap;
+    poses.dataset.notes.extend(model.note());
     let (cameras, points, file) = read(model)?;
     for (position, (camera, lens)) in cameras.into_iter().enumerate() {
         let name = camera.file_path.clone().unwrap_or_default();
@@ -172,14 +172,14 @@ pub(super) fn list(poses: &mut Poses, model: &Model) -> Result<()> {
                 poses.check_place(&found.path)?;
                 poses.add(found, camera, lens, poses.options.holds_out(position))?;
             }
-            Err(expected) => poses.missing.push(expected),
+            Err(expected) => poses.dataset.missing.push(expected),
         }
     }
-    poses.points = points;
-    poses.points_file = Some(file);
-    if poses.points.is_empty() {
+    poses.dataset.points = points;
+    poses.dataset.points_file = Some(file);
+    if poses.dataset.points.is_empty() {
         let reason = format!("that is {POINTS_PLY} in {}", model.folder.display());
-        poses.notes.extend(find::unused_clouds(folder, &reason));
+        poses.dataset.notes.extend(find::unused_clouds(folder, &reason));
     }
     Ok(())
 }

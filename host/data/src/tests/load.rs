@@ -76,7 +76,7 @@ fn poses_equal_the_cameras_of_frames() {
         let options = DatasetOptions { downscale: 2, hold_out_every: 2, ..Default::default() };
         let dataset = Dataset::load(folder.path(), &options).unwrap();
         let poses = Poses::load(folder.path(), &options).unwrap();
-        assert_eq!((poses.kind, &poses.path), (dataset.kind, &dataset.path));
+        assert_eq!((poses.dataset.kind, &poses.dataset.path), (dataset.kind, &dataset.path));
         let poses = poses.cameras().unwrap();
         assert_eq!(poses.len(), dataset.frames.len());
         for (index, (pose, frame)) in poses.iter().zip(&dataset.frames).enumerate() {

@@ -237,9 +237,9 @@ impl CameraFile {
             kind: "data set",
             file: text_of(path),
             file_bytes: None,
-            format: Some(poses.kind.to_string()),
-            missing: Some(poses.missing.iter().map(|file| text_of(file)).collect()),
-            notes: Some(poses.notes),
+            format: Some(poses.dataset.kind.to_string()),
+            missing: Some(poses.dataset.missing.iter().map(|file| text_of(file)).collect()),
+            notes: Some(poses.dataset.notes),
             cameras,
         })
     }

@@ -154,8 +154,8 @@ impl DataSet {
         };
         let data = &settings;
         if let Some(poses) = &poses {
-            let path = poses.path.display();
-            let kind = poses.kind;
+            let path = poses.dataset.path.display();
+            let kind = poses.dataset.kind;
             let downscale = data.downscale;
             let every = data.hold_out_every;
             console.detail(&format!(
@@ -197,7 +197,7 @@ impl DataSet {
             let reason = format!("its {what} are not those that {run} was trained on");
             let Some(named) = named else {
                 let way_out = "put them back, or name the data set to take it as it is now";
-                let origin = poses.path.clone();
+                let origin = poses.dataset.path.clone();
                 return Err(Error::Invalid { origin, reason: format!("{reason}; {way_out}") });
             };
             // another data set is not meant to be the same
@@ -273,7 +273,7 @@ impl DataSet {
                     "a downscale of {factor} leaves {width} x {height} pixels, and training needs {MIN_SIDE} a side; use \
                      `--downscale {max}`"
                 );
-                let origin = photograph.unwrap_or_else(|| poses.path.clone());
+                let origin = photograph.unwrap_or_else(|| poses.dataset.path.clone());
                 return Err(Error::Invalid { origin, reason });
             }
         }
@@ -295,7 +295,7 @@ impl DataSet {
             return Ok(own);
         }
         let options = DatasetOptions { downscale: factor, ..self.settings.options() };
-        *poses = Poses::load(&poses.path, &options)?;
+        *poses = Poses::load(&poses.dataset.path, &options)?;
         self.settings.downscale = factor;
         console.note(&format!(
             "the photographs have {:.1} times the pixels that this run draws, so they shrink by {factor}: `--downscale 1` keeps \
@@ -330,7 +330,7 @@ impl DataSet {
     pub fn photographs(self) -> (Photographs, Vec<Point>) {
         match self.poses {
             Some(poses) => {
-                let points = poses.points().to_vec();
+                let points = poses.dataset.points.clone();
                 (Photographs::new(PhotographSource::Poses(Box::new(poses))), points)
             }
             None => {
@@ -367,7 +367,7 @@ impl DataSet {
             return Ok(dataset);
         };
         let bar = console.progress("reading", 0, "photographs");
-        let known = poses.notes.len();
+        let known = poses.dataset.notes.len();
         let dataset = poses.photographs(&mut |done, all| bar.set_of(done, all))?;
         drop(bar);
         let all = dataset.frames.len() as u64;
@@ -407,8 +407,8 @@ pub fn check_place(data: &DataConfig, folder: &Path) -> Result<()> {
 /// Warns of a data set's files that do not exist, and of files outside its folder.
 fn warn_of_files(console: Console, poses: &Poses) {
     let kinds = [
-        (&poses.missing, "photograph", "missing, so left out"),
-        (&poses.outside, "file", "read outside the data set's folder, as was allowed"),
+        (&poses.dataset.missing, "photograph", "missing, so left out"),
+        (&poses.dataset.outside, "file", "read outside the data set's folder, as was allowed"),
     ];
     for (files, unit, what) in kinds {
         if let Some(first) = files.first() {
@@ -417,5 +417,5 @@ fn warn_of_files(console: Console, poses: &Poses) {
             console.warn(&format!("{what}: {files}, the first is {first}"));
         }
     }
-    poses.notes.iter().for_each(|note| console.warn(note));
+    poses.dataset.notes.iter().for_each(|note| console.warn(note));
 }

@@ -1,4 +1,4 @@
-//! Every parser of external data, on bytes. `fuzz/` runs them, and the tests replay its findings.
+//! Every parser of external data, on bytes. The tests run them on `tests/corpus`.
 //!
 //! Each takes any bytes and returns. A panic, a hang or excessive memory is a bug.
 

@@ -1,22 +1,19 @@
-//! The fuzzers' corpus on this toolchain: each file unchanged, cut short, and with flipped bits.
+//! Every parser on the corpus: each file unchanged, cut short, with flipped bits, and with random changes.
 
 use std::fs;
 use std::path::Path;
 
 use organza::fuzz::TARGETS;
 
+use crate::held::run;
 use crate::mutate::{Random, mutate_bytes, number};
 
 /// Number of random changes of each file. `ORGANZA_CORPUS_MUTATIONS` replaces it.
 const MUTATIONS: u64 = 50;
 
-#[path = "../../fuzz/held.rs"]
-mod held;
-use held::run;
-
 #[test]
 fn the_corpus_is_parsed_or_refused() {
-    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus");
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
     let mut folders: Vec<_> = fs::read_dir(&corpus)
         .expect("a corpus")
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())

@@ -1,4 +1,4 @@
-//! An allocator that counts, and a limit for the memory of parsers. The fuzzers and the tests share it.
+//! An allocator that counts, and a limit for the memory of parsers.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;

@@ -12,6 +12,7 @@ mod edit;
 mod eval;
 mod film;
 mod flags;
+mod held;
 mod hostile;
 mod limits;
 mod mesh;

@@ -1,12 +1,12 @@
 //! Reads `cameras.bin`, `images.bin` and `points3D.bin`: little endian, a count followed by as many records.
 
-use std::io::{BufRead, BufReader, Read, Seek};
+use std::ffi::CStr;
 use std::path::Path;
 
 use super::model::Lenses;
 use super::{Cameras, Image, Points, Support, add};
 use crate::Point;
-use organza_core::error::{Error, Result, invalid};
+use organza_core::error::{Result, invalid};
 
 /// Bytes of an image's observation: two coordinates and a point's id.
 const OBSERVATION: u64 = 24;
@@ -14,8 +14,8 @@ const OBSERVATION: u64 = 24;
 const TRACK_ENTRY: u64 = 8;
 
 /// Reads `cameras.bin`.
-pub(super) fn cameras(source: impl Read + Seek, length: u64, path: &Path) -> Result<Cameras> {
-    let mut records = Records::open(source, length, path, "camera", 24)?;
+pub(super) fn cameras(bytes: &[u8], path: &Path) -> Result<Cameras> {
+    let mut records = Records::new(bytes, path, "camera", 24)?;
     let mut cameras = Cameras::new();
     while records.next() {
         let id = records.u32()?;
@@ -33,8 +33,8 @@ pub(super) fn cameras(source: impl Read + Seek, length: u64, path: &Path) -> Res
 }
 
 /// Reads `images.bin`.
-pub(super) fn images(source: impl Read + Seek, length: u64, path: &Path) -> Result<Vec<Image>> {
-    let mut records = Records::open(source, length, path, "image", 73)?;
+pub(super) fn images(bytes: &[u8], path: &Path) -> Result<Vec<Image>> {
+    let mut records = Records::new(bytes, path, "image", 73)?;
     let mut images = Vec::new();
     while records.next() {
         let _id = records.u32()?;
@@ -51,8 +51,8 @@ pub(super) fn images(source: impl Read + Seek, length: u64, path: &Path) -> Resu
 }
 
 /// Reads `points3D.bin`.
-pub(super) fn points(source: impl Read + Seek, length: u64, path: &Path) -> Result<Points> {
-    let mut records = Records::open(source, length, path, "point", 51)?;
+pub(super) fn points(bytes: &[u8], path: &Path) -> Result<Points> {
+    let mut records = Records::new(bytes, path, "point", 51)?;
     let mut points = Points::new();
     while records.next() {
         let id = records.u64()?;
@@ -67,39 +67,29 @@ pub(super) fn points(source: impl Read + Seek, length: u64, path: &Path) -> Resu
 }
 
 /// A file of records. A count in it is never trusted beyond the file's length.
-struct Records<'a, R> {
-    reader: BufReader<R>,
+struct Records<'a> {
+    /// Bytes not read yet.
+    rest: &'a [u8],
     path: &'a Path,
     what: &'static str,
-    /// Bytes not read yet.
-    remaining: u64,
     count: u64,
     /// Number of the current record, from 1.
     current: u64,
 }
 
-impl<'a, R: Read + Seek> Records<'a, R> {
-    /// Opens a file of `length` bytes. Each record has at least `smallest` bytes.
-    fn open(
-        source: R,
-        length: u64,
-        path: &'a Path,
-        what: &'static str,
-        smallest: u64,
-    ) -> Result<Self> {
-        let reader = BufReader::new(source);
-        let mut records = Self { reader, path, what, remaining: length, count: 0, current: 0 };
-        records.count = records.u64()?;
-        let count = records.count;
-        let remaining = records.remaining;
-        if count.checked_mul(smallest).is_none_or(|bytes| bytes > remaining) {
+impl<'a> Records<'a> {
+    /// Begins to read a file. Each record has at least `smallest` bytes.
+    fn new(bytes: &'a [u8], path: &'a Path, what: &'static str, smallest: u64) -> Result<Self> {
+        let mut records = Self { rest: bytes, path, what, count: 0, current: 0 };
+        let count = records.u64()?;
+        if count.saturating_mul(smallest) > records.rest.len() as u64 {
             let reason = format!(
                 "the file has room for fewer than the {count} {what}s it says it holds; it was cut \
                  short or is no COLMAP model: copy it again"
             );
             return invalid(path, reason);
         }
-        Ok(records)
+        Ok(Self { count, ..records })
     }
 
     /// Moves to the next record, if there is one.
@@ -119,13 +109,9 @@ impl<'a, R: Read + Seek> Records<'a, R> {
     }
 
     fn take<const N: usize>(&mut self) -> Result<[u8; N]> {
-        let Some(remaining) = self.remaining.checked_sub(N as u64) else {
-            return self.cut_short();
-        };
-        self.remaining = remaining;
-        let mut bytes = [0; N];
-        self.reader.read_exact(&mut bytes).map_err(|source| Error::read(self.path, source))?;
-        Ok(bytes)
+        let Some((bytes, rest)) = self.rest.split_first_chunk() else { return self.cut_short() };
+        self.rest = rest;
+        Ok(*bytes)
     }
 
     fn u32(&mut self) -> Result<u32> {
@@ -142,14 +128,9 @@ impl<'a, R: Read + Seek> Records<'a, R> {
 
     /// Reads text up to a zero byte.
     fn name(&mut self) -> Result<String> {
-        let mut bytes = Vec::new();
-        let mut limited = self.reader.by_ref().take(self.remaining);
-        let read = limited.read_until(0, &mut bytes);
-        self.remaining -= read.map_err(|source| Error::read(self.path, source))? as u64;
-        if bytes.pop() != Some(0) {
-            return self.cut_short();
-        }
-        String::from_utf8(bytes).or_else(|_| {
+        let Ok(text) = CStr::from_bytes_until_nul(self.rest) else { return self.cut_short() };
+        self.rest = &self.rest[text.count_bytes() + 1..];
+        text.to_str().map(str::to_owned).or_else(|_| {
             let what = self.what;
             let current = self.current;
             invalid(self.path, format!("the name of {what} {current} is not UTF-8; rename it"))
@@ -157,23 +138,21 @@ impl<'a, R: Read + Seek> Records<'a, R> {
     }
 
     fn skip(&mut self, count: u64, size: u64) -> Result<()> {
-        let bytes = count.checked_mul(size);
-        let left = bytes.and_then(|bytes| self.remaining.checked_sub(bytes));
-        let (Some(bytes), Some(left)) = (bytes, left) else { return self.cut_short() };
-        self.remaining = left;
-        // This cannot overflow: the skipped bytes are fewer than the remaining ones.
-        let skipped = self.reader.seek_relative(bytes.cast_signed());
-        skipped.map_err(|source| Error::read(self.path, source))
+        let bytes = usize::try_from(count.saturating_mul(size)).unwrap_or(usize::MAX);
+        let Some(rest) = self.rest.get(bytes..) else { return self.cut_short() };
+        self.rest = rest;
+        Ok(())
     }
 
     fn finish(self) -> Result<()> {
-        let Self { path, what, count, remaining, .. } = self;
-        if remaining == 0 {
+        let Self { rest, path, what, count, .. } = self;
+        if rest.is_empty() {
             return Ok(());
         }
         let reason = format!(
-            "{remaining} bytes follow the last of {count} {what}s; is it a COLMAP model that this \
-             program knows?"
+            "{} bytes follow the last of {count} {what}s; is it a COLMAP model that this \
+             program knows?",
+            rest.len()
         );
         invalid(path, reason)
     }

@@ -12,7 +12,7 @@ use super::lens::Lens;
 use super::{DatasetKind, Point, Poses, find, ply};
 use model::{Image, Intrinsics};
 use organza_core::error::invalid;
-use organza_core::input::open_regular;
+use organza_core::input::{read_file, read_text};
 use organza_core::{Camera, Result};
 
 /// Folders in a data set that may hold a model, or several in numbered folders, by priority.
@@ -44,6 +44,14 @@ fn add(cameras: &mut Cameras, id: u32, camera: Intrinsics, path: &Path) -> Resul
     }
 }
 
+fn bytes(path: &Path) -> Result<Vec<u8>> {
+    read_file(path, u64::MAX, "a COLMAP model")
+}
+
+fn text(path: &Path) -> Result<String> {
+    read_text(path, u64::MAX, "a COLMAP model")
+}
+
 /// A model's folder, and the form of its files.
 #[derive(Clone)]
 pub(super) struct Model {
@@ -73,10 +81,9 @@ impl Model {
 
     fn images(&self) -> Result<Vec<Image>> {
         let path = &self.file("images");
-        let (file, length) = open_regular(path)?;
         match self.is_binary {
-            true => binary::images(file, length, path),
-            false => text::images(file, path),
+            true => binary::images(&bytes(path)?, path),
+            false => text::images(&text(path)?, path),
         }
     }
 
@@ -86,10 +93,9 @@ impl Model {
         if !path.exists() {
             return Ok(Points::new());
         }
-        let (file, length) = open_regular(path)?;
         match self.is_binary {
-            true => binary::points(file, length, path),
-            false => text::points(file, path),
+            true => binary::points(&bytes(path)?, path),
+            false => text::points(&text(path)?, path),
         }
     }
 
@@ -188,10 +194,9 @@ pub(super) fn list(poses: &mut Poses, model: &Model) -> Result<()> {
 /// order. A camera's `file_path` is the name.
 pub(super) fn read(model: &Model) -> Result<(Lensed, Vec<Point>, PathBuf)> {
     let path = &model.file("cameras");
-    let (file, length) = open_regular(path)?;
     let cameras = match model.is_binary {
-        true => binary::cameras(file, length, path)?,
-        false => text::cameras(file, path)?,
+        true => binary::cameras(&bytes(path)?, path)?,
+        false => text::cameras(&text(path)?, path)?,
     };
     let origin = &model.file("images");
     let mut images = model.images()?;
@@ -233,13 +238,12 @@ fn is_finite(point: &Point) -> bool {
 
 /// Reads bytes as each file of a model, for `data::fuzz`.
 pub(super) fn fuzz(bytes: &[u8], path: &Path) {
-    let source = || std::io::Cursor::new(bytes);
-    let length = bytes.len() as u64;
-    let _ = binary::cameras(source(), length, path);
-    let _ = binary::points(source(), length, path);
-    let _ = text::cameras(source(), path);
-    let _ = text::points(source(), path);
-    let images = [binary::images(source(), length, path), text::images(source(), path)];
+    let text = String::from_utf8_lossy(bytes);
+    let _ = binary::cameras(bytes, path);
+    let _ = binary::points(bytes, path);
+    let _ = text::cameras(&text, path);
+    let _ = text::points(&text, path);
+    let images = [binary::images(bytes, path), text::images(&text, path)];
     let lenses = model::Lenses::from_name("PINHOLE");
     let camera = lenses.and_then(|lenses| lenses.intrinsics([64, 48], &[90.0, 90.0, 32.0, 24.0]));
     for image in images.into_iter().flatten().flatten() {

@@ -1,25 +1,22 @@
 //! Reads `cameras.txt`, `images.txt` and `points3D.txt`: one record per line, with values between spaces.
 
-use std::io::{BufRead, BufReader, Read};
+use std::iter::Enumerate;
 use std::path::Path;
 use std::str::FromStr;
 
 use super::model::{Intrinsics, Lenses};
 use super::{Cameras, Image, Points, Support, add};
 use crate::Point;
-use organza_core::error::{Error, Result, invalid};
-
-/// Longest line of a record, in bytes. A point that 50,000 images see needs less.
-const MAX_LINE: u64 = 1 << 20;
+use organza_core::error::{Result, invalid};
 
 /// Longest line of an image's pose, in bytes.
-const MAX_POSE: u64 = 1 << 13;
+const MAX_POSE: usize = 1 << 13;
 
 /// Reads `cameras.txt`.
-pub(super) fn cameras(source: impl Read, path: &Path) -> Result<Cameras> {
-    let mut lines = Lines::new(source, path);
+pub(super) fn cameras(text: &str, path: &Path) -> Result<Cameras> {
+    let mut lines = Lines::new(text, path);
     let mut cameras = Cameras::new();
-    while lines.next_record()? {
+    while lines.next_record() {
         let (id, intrinsics) = lines.parse(camera)?;
         add(&mut cameras, id, intrinsics, path)?;
     }
@@ -27,23 +24,23 @@ pub(super) fn cameras(source: impl Read, path: &Path) -> Result<Cameras> {
 }
 
 /// Reads `images.txt`.
-pub(super) fn images(source: impl Read, path: &Path) -> Result<Vec<Image>> {
-    let mut lines = Lines::new(source, path);
+pub(super) fn images(text: &str, path: &Path) -> Result<Vec<Image>> {
+    let mut lines = Lines::new(text, path);
     let mut images = Vec::new();
-    let mut is_there = lines.next_record()?;
+    let mut is_there = lines.next_record();
     while is_there {
         images.push(lines.parse(image)?);
-        is_there = lines.next_image()?;
+        is_there = lines.next_image();
     }
     Ok(images)
 }
 
 /// Reads `points3D.txt`.
-pub(super) fn points(source: impl Read, path: &Path) -> Result<Points> {
-    let mut lines = Lines::new(source, path);
+pub(super) fn points(text: &str, path: &Path) -> Result<Points> {
+    let mut lines = Lines::new(text, path);
     let mut points = Points::new();
     let mut colors = Vec::new();
-    while lines.next_record()? {
+    while lines.next_record() {
         let (id, position, color, support) = lines.parse(point)?;
         points.push((id, Point { position, color: None }, support));
         colors.push(color);
@@ -138,68 +135,47 @@ fn value<T: FromStr>(line: &mut &str, name: &str) -> Result<T, String> {
 }
 
 /// The lines of a file, with the current position.
-struct Lines<'a, R> {
-    reader: BufReader<R>,
+struct Lines<'a> {
+    rest: Enumerate<std::str::Lines<'a>>,
     path: &'a Path,
-    line: String,
-    number: u64,
+    line: &'a str,
+    /// Number of the current line, from 1.
+    number: usize,
 }
 
-impl<'a, R: Read> Lines<'a, R> {
-    fn new(source: R, path: &'a Path) -> Self {
-        Self { reader: BufReader::new(source), path, line: String::new(), number: 0 }
+impl<'a> Lines<'a> {
+    fn new(text: &'a str, path: &'a Path) -> Self {
+        // some editors begin a file with a mark
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        Self { rest: text.lines().enumerate(), path, line: "", number: 0 }
     }
 
     /// Moves to the next line, if there is one.
-    fn advance(&mut self) -> Result<bool> {
-        self.line.clear();
-        self.number += 1;
-        let read = self.reader.by_ref().take(MAX_LINE).read_line(&mut self.line);
-        let read = read.map_err(|source| Error::read(self.path, source))?;
-        if read as u64 == MAX_LINE && !self.line.ends_with('\n') {
-            let number = self.number;
-            let reason = format!("line {number} is longer than {MAX_LINE} bytes; is it damaged?");
-            return invalid(self.path, reason);
-        }
-        Ok(read > 0)
+    fn advance(&mut self) -> bool {
+        let Some((index, line)) = self.rest.next() else { return false };
+        self.line = line.trim();
+        self.number = index + 1;
+        true
     }
 
     /// Moves from an image to the next. The line between them has the image's observations, may be of any length or empty, and
     /// is missing in files that people write by hand.
-    fn next_image(&mut self) -> Result<bool> {
-        self.number += 1;
-        let cannot_read = |source| Error::read(self.path, source);
-        let mut start = Vec::new();
-        let begin = &mut self.reader.by_ref().take(MAX_POSE);
-        begin.read_until(b'\n', &mut start).map_err(cannot_read)?;
-        if start.len() as u64 == MAX_POSE && !start.ends_with(b"\n") {
-            self.reader.skip_until(b'\n').map_err(cannot_read)?;
-        } else if let Ok(line) = String::from_utf8(start)
-            && is_pose(line.trim())
-        {
-            self.line = line;
-            return Ok(true);
-        }
-        self.next_record()
+    fn next_image(&mut self) -> bool {
+        self.advance() && self.line.len() < MAX_POSE && is_pose(self.line) || self.next_record()
     }
 
     /// Moves to the next line that is neither empty nor a comment.
-    fn next_record(&mut self) -> Result<bool> {
-        while self.advance()? {
-            // some editors begin a file with a mark
-            if self.number == 1 && self.line.starts_with('\u{feff}') {
-                self.line.remove(0);
-            }
-            let line = self.line.trim();
-            if !line.is_empty() && !line.starts_with('#') {
-                return Ok(true);
+    fn next_record(&mut self) -> bool {
+        while self.advance() {
+            if !self.line.is_empty() && !self.line.starts_with('#') {
+                return true;
             }
         }
-        Ok(false)
+        false
     }
 
     fn parse<T>(&self, parse: impl FnOnce(&str) -> Result<T, String>) -> Result<T> {
-        parse(self.line.trim())
+        parse(self.line)
             .or_else(|reason| invalid(self.path, format!("line {}: {reason}", self.number)))
     }
 }

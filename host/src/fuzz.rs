@@ -30,7 +30,7 @@ pub const TARGETS: [(&str, Target); 12] = [
     ("colmap", colmap),
     ("ply", ply),
     ("splats", |bytes| {
-        let _ = read_from(bytes, bytes.len() as u64, origin());
+        let _ = read_from(bytes, origin());
     }),
     ("photograph", photograph),
     ("config", config),

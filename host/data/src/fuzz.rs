@@ -36,7 +36,7 @@ pub fn colmap(bytes: &[u8]) {
 
 /// Parses a point cloud.
 pub fn ply(bytes: &[u8]) {
-    let _ = ply::read_from(bytes, bytes.len() as u64, origin());
+    let _ = ply::read_from(bytes, origin());
 }
 
 /// Decodes a photograph, with a camera of its size.

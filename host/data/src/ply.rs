@@ -1,6 +1,6 @@
 //! Reads vertices of PLY files (text, and binary of either byte order), and point clouds in nerfstudio's form.
 
-use std::io::{self, BufReader, Read, Take};
+use std::io::{self, Read, Take};
 use std::path::Path;
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
@@ -11,7 +11,7 @@ use ply_rs_bw::ply::{
 
 use super::Point;
 use organza_core::error::{Error, Result, invalid};
-use organza_core::input::open_regular;
+use organza_core::input::read_file;
 use organza_core::memory;
 
 /// Longest header in bytes. The header of a scan with all its comments has a few kilobytes.
@@ -26,31 +26,31 @@ const COLOR: [&str; 3] = ["red", "green", "blue"];
 /// [`Error::ReadFile`]; [`Error::Invalid`] if the file is no PLY, was cut short, or has vertices without a finite
 /// position.
 pub(super) fn read(path: &Path) -> Result<Vec<Point>> {
-    let (file, length) = open_regular(path)?;
-    read_from(file, length, path)
+    read_from(&read_file(path, u64::MAX, "a point cloud")?, path)
 }
 
-/// [`read`] from a reader of `length` bytes. Errors name `path`.
-pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<Vec<Point>> {
-    points(&Ply::open(source, length, path)?.vertices(&POSITION)?, path)
+/// [`read`] from a file's bytes. Errors name `path`.
+pub(super) fn read_from(bytes: &[u8], path: &Path) -> Result<Vec<Point>> {
+    points(&Ply::open(bytes, path)?.vertices(&POSITION)?, path)
 }
 
 /// A PLY file after its header.
-pub struct Ply<'a, R: Read> {
-    reader: Reader<BufReader<Take<R>>>,
+pub struct Ply<'a> {
+    reader: Reader<Take<&'a [u8]>>,
     header: Header,
     path: &'a Path,
 }
 
-impl<'a, R: Read> Ply<'a, R> {
+impl<'a> Ply<'a> {
     /// Reads the header. Errors name `path`.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a file that is no PLY, or that is shorter than its header says.
-    pub fn open(source: R, length: u64, path: &'a Path) -> Result<Self> {
-        let mut reader = Reader::new(BufReader::new(source.take(MAX_HEADER)));
+    pub fn open(bytes: &'a [u8], path: &'a Path) -> Result<Self> {
+        let length = bytes.len() as u64;
+        let mut reader = Reader::new(bytes.take(MAX_HEADER));
         let header = Parser::<Skipped>::new().read_header(&mut reader);
-        let source = reader.get_mut().get_mut();
+        let source = reader.get_mut();
         if header.is_err() && length > MAX_HEADER && source.limit() == 0 {
             let reason = format!("the PLY file's header is longer than {MAX_HEADER} bytes");
             return invalid(path, reason);

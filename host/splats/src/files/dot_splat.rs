@@ -1,12 +1,12 @@
 //! `.splat`: 32 bytes for each Gaussian, and nothing else. Center and scales are floats, color and opacity bytes, and the parts
 //! of the quaternion bytes around 128.
 
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 use muslin::math::sigmoid;
 
-use super::{Splat, SplatFile, base_color, byte, log_of, logit_of, turned, whole};
+use super::{Splat, SplatFile, base_color, byte, log_of, logit_of, turned};
 use crate::harmonics::{FIRST, HARMONICS, MIDDLE};
 use organza_core::error::{Result, invalid};
 
@@ -30,13 +30,13 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
-    let bytes = whole(source, length, path)?;
+pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     let (rows, rest) = bytes.as_chunks::<BYTES>();
     if !rest.is_empty() {
         let reason = format!(
-            "a .splat file has {BYTES} bytes for each Gaussian, and {length} is no multiple of that; the file was cut \
-             short or is another one"
+            "a .splat file has {BYTES} bytes for each Gaussian, and {} is no multiple of that; the file was cut \
+             short or is another one",
+            bytes.len()
         );
         return invalid(path, reason);
     }
@@ -86,7 +86,7 @@ mod tests {
         let mut bytes: Vec<u8> = floats.iter().flat_map(|value| value.to_le_bytes()).collect();
         bytes.extend([255, 0, 51, 204, 128, 255, 128, 0]);
         let path = Path::new("a.SPLAT");
-        let file = super::super::read_from(&bytes[..], 32, path).unwrap();
+        let file = super::super::read_from(&bytes, path).unwrap();
         let [splat] = file.splats[..] else { panic!() };
         assert_eq!(splat.position, [1.0, -2.0, 3.5]);
         assert_eq!(splat.log_scale, [0.5_f32.ln(), 0.0, 2.0_f32.ln()]);
@@ -95,7 +95,7 @@ mod tests {
         assert!(color.iter().zip([1.0, 0.0, 0.2]).all(|(a, b)| (a - b).abs() < 1e-6), "{color:?}");
         assert!((sigmoid(splat.opacity) - 0.8).abs() < 1e-6);
         assert_eq!(splat.color[1..], [[0.0; 3]; HARMONICS - 1]);
-        let error = chain(&super::super::read_from(&bytes[..31], 31, path).unwrap_err());
+        let error = chain(&super::super::read_from(&bytes[..31], path).unwrap_err());
         assert!(error.contains("31 is no multiple"), "{error}");
     }
 }

@@ -1,7 +1,7 @@
 //! Binary glTF 2.0 with `KHR_gaussian_splatting`, as the Khronos Group ratified it. Gaussians are points with the
 //! extension's attributes, all of them floats.
 
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Quat, Vec3};
@@ -9,7 +9,7 @@ use muslin::math::sigmoid;
 use organza_core::memory;
 use serde_json::{Map, Value, json};
 
-use super::{PLACEMENT, Splat, SplatFile, base_color, byte, log_of, said, turned, whole};
+use super::{PLACEMENT, Splat, SplatFile, base_color, byte, log_of, said, turned};
 use crate::harmonics::{DEGREE, HARMONICS};
 use crate::placed::turn;
 use organza_core::error::{Result, invalid};
@@ -189,8 +189,7 @@ struct NodeContents {
 
 /// Reads the Gaussians of all nodes, in the world of the file. A node that organza wrote has a placement. The rotation beside it
 /// is for other programs.
-pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
-    let bytes = whole(source, length, path)?;
+pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     // after 12 bytes, chunks: a length, a name, and as many bytes
     let chunk = |bytes: &[u8]| -> Option<(usize, [u8; 4])> {
         let [a, b, c, d, ref name @ ..] = *bytes.first_chunk::<8>()?;
@@ -525,7 +524,7 @@ mod tests {
                 {"mesh": 0, "scale": [0.5, 0.5, 0.5]},
             ]);
         });
-        let file = super::super::read_from(&bytes[..], bytes.len() as u64, Path::new("a.glb"));
+        let file = super::super::read_from(&bytes, Path::new("a.glb"));
         let placement = Placement { offset, scale: 0.5, ..Placement::default() };
         let found = file.unwrap().into_own(&placement).unwrap();
         assert_close(&found, &splats(), [1e-6, 1e-5, 0.0, 0.0, 1e-6]);
@@ -536,7 +535,7 @@ mod tests {
         let bytes = with(|json| {
             json["meshes"][0]["primitives"][0]["extensions"][EXTENSION]["kernel"] = json!("disk");
         });
-        let file = super::super::read_from(&bytes[..], bytes.len() as u64, Path::new("a.glb"));
+        let file = super::super::read_from(&bytes, Path::new("a.glb"));
         let notes = file.unwrap().notes;
         assert_eq!(notes, ["its kernel \"disk\" is unknown, and read as ellipse"]);
     }

@@ -12,19 +12,17 @@ pub use mesh::{MeshFormat, save_mesh};
 pub use spz::{SYSTEMS, from_axes};
 
 use std::cmp::Ordering;
-use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use glam::{DMat3, DVec3};
 use organza_core::error::invalid;
-use organza_core::memory;
 use serde_json::Value;
 
 use super::harmonics::{FIRST, MIDDLE};
 use super::placed::turn;
 use super::{Splat, VALUES};
 use organza_core::camera::median;
-use organza_core::input::{has_extension, open_regular};
+use organza_core::input::{has_extension, read_file};
 use organza_core::scene::{Placement, logit};
 use organza_core::{Error, Result, write_atomic};
 
@@ -171,10 +169,9 @@ pub fn save(
         Format::Splat => dot_splat::write(splats, &mut bytes),
     };
     encoded.map_err(|error| Error::write(path, error))?;
-    let length = bytes.len() as u64;
     let read = match format {
-        Format::Splat => dot_splat::read(&bytes[..], length, path)?,
-        _ => read_from(&bytes[..], length, path)?,
+        Format::Splat => dot_splat::read(&bytes, path)?,
+        _ => read_from(&bytes, path)?,
     };
     write_atomic(path, |file| file.write_all(&bytes))?;
     let said = read.is_placed.then_some(read.placement);
@@ -192,8 +189,7 @@ const LARGEST_LOG_SCALE: f32 = 80.0;
 /// for a Gaussian; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
 pub fn load(path: impl AsRef<Path>) -> Result<SplatFile> {
     let path = path.as_ref();
-    let (file, length) = open_regular(path)?;
-    read_from(BufReader::new(file), length, path)
+    read_from(&read_file(path, u64::MAX, "a file of Gaussians")?, path)
 }
 
 /// Checks that there are Gaussians, and that each has values of one.
@@ -221,17 +217,16 @@ fn check(splats: &[Splat], path: &Path, hint: &str) -> Result<()> {
     Ok(())
 }
 
-/// [`load`] from a reader of `length` bytes. Errors name `path`.
-pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<SplatFile> {
-    let begin = source.fill_buf().map_err(|error| Error::read(path, error))?;
-    let file = match begin {
-        [0x1f, 0x8b, ..] => spz::read_packed(source, length, path)?,
-        [b'N', b'G', b'S', b'P', 1..=3, 0, ..] => spz::read_old(source, length, 1, path)?,
-        [b'N', b'G', b'S', b'P', ..] => spz::read(source, length, path)?,
-        [b'p', b'l', b'y', ..] => ply::read(source, length, path)?,
-        [b'P', b'K', 3 | 5, 4 | 6, ..] => sog::read(source, length, path)?,
-        [b'g', b'l', b'T', b'F', ..] => gltf::read(source, length, path)?,
-        _ if begin.trim_ascii_start().starts_with(b"{") => {
+/// [`load`] from a file's bytes. Errors name `path`.
+pub fn read_from(bytes: &[u8], path: &Path) -> Result<SplatFile> {
+    let file = match bytes {
+        [0x1f, 0x8b, ..] => spz::read_packed(bytes, path)?,
+        [b'N', b'G', b'S', b'P', 1..=3, 0, ..] => spz::read_old(bytes, bytes.len(), 1, path)?,
+        [b'N', b'G', b'S', b'P', ..] => spz::read(bytes, path)?,
+        [b'p', b'l', b'y', ..] => ply::read(bytes, path)?,
+        [b'P', b'K', 3 | 5, 4 | 6, ..] => sog::read(bytes, path)?,
+        [b'g', b'l', b'T', b'F', ..] => gltf::read(bytes, path)?,
+        _ if bytes.trim_ascii_start().starts_with(b"{") => {
             return invalid(
                 path,
                 "a .gltf, or the description of an unpacked .sog, has its values in other files: write one .glb with \
@@ -239,7 +234,7 @@ pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<S
             );
         }
         // nothing in such a file says what it is
-        _ if has_extension(path, &["splat"]) => dot_splat::read(source, length, path)?,
+        _ if has_extension(path, &["splat"]) => dot_splat::read(bytes, path)?,
         _ => {
             return invalid(
                 path,
@@ -258,13 +253,6 @@ const PLACEMENT: &str = "organza";
 /// The placement in the JSON of a file, under [`PLACEMENT`].
 fn said(json: &Value, path: &Path) -> Result<Option<Placement>> {
     json.get(PLACEMENT).map(|said| Placement::from_json(said, path)).transpose()
-}
-
-/// All bytes of a file.
-fn whole(source: impl Read, length: u64, path: &Path) -> Result<Vec<u8>> {
-    let mut bytes = memory::reserve(length as usize, "a file of Gaussians")?;
-    source.take(length).read_to_end(&mut bytes).map_err(|error| Error::read(path, error))?;
-    Ok(bytes)
 }
 
 /// The color without the parts that depend on the direction.
@@ -350,7 +338,7 @@ mod tests {
     }
 
     pub fn read_bytes(bytes: &[u8]) -> Result<Vec<Splat>> {
-        let file = read_from(bytes, bytes.len() as u64, Path::new("a.file"))?;
+        let file = read_from(bytes, Path::new("a.file"))?;
         file.into_own(&Placement::default())
     }
 
@@ -380,7 +368,7 @@ mod tests {
 
     #[track_caller]
     pub fn assert_refused(bytes: &[u8], facts: &[&str]) {
-        let found = read_from(bytes, bytes.len() as u64, Path::new("a.file"));
+        let found = read_from(bytes, Path::new("a.file"));
         let Err(error @ Error::Invalid { .. }) = found else { panic!("{found:?}") };
         let text = chain(&error);
         assert!(text.contains("a.file"), "{text}");

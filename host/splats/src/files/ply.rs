@@ -1,6 +1,6 @@
 //! PLY in the form of the authors of 3D Gaussian Splatting: an element `vertex` whose properties are floats.
 
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
@@ -40,7 +40,7 @@ fn names() -> impl Iterator<Item = String> {
 }
 
 /// The placement in the comments of [`write`].
-fn said<R: Read>(file: &Ply<'_, R>, path: &Path) -> Result<Option<Placement>> {
+fn said(file: &Ply<'_>, path: &Path) -> Result<Option<Placement>> {
     let json =
         |comment: &String| comment.strip_prefix(PLACEMENT)?.strip_prefix(' ').map(str::to_owned);
     let json = file.comments().iter().find_map(json);
@@ -105,8 +105,8 @@ fn place(key: &str) -> Option<usize> {
     }
 }
 
-pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
-    let file = Ply::open(source, length, path)?;
+pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
+    let file = Ply::open(bytes, path)?;
     let rest = file.properties().filter(|name| name.starts_with("f_rest_")).count();
     let said = said(&file, path)?;
     let vertices: Vec<Vertex> = file.vertices(&NEEDED)?;
@@ -175,7 +175,7 @@ mod tests {
     fn doubles_keep_their_digits() {
         let text = text().replace("property float", "property double");
         let text = text.replace("1 2 3 0.1", "512345.125001 4612345.250002 312.3 0.1");
-        let file = read_from(text.as_bytes(), text.len() as u64, Path::new("a.ply")).unwrap();
+        let file = read_from(text.as_bytes(), Path::new("a.ply")).unwrap();
         let offset = [512_345.0, 4_612_345.0, 312.0];
         let placement = Placement { offset, ..Placement::default() };
         let [splat] = file.into_own(&placement).unwrap()[..] else { panic!("one Gaussian") };

@@ -15,7 +15,7 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::clusters::{Clusters, along_a_curve, clusters};
 use super::{
-    PLACEMENT, Splat, SplatFile, byte, ends, level, logit_of, said, smallest_three, turned, whole,
+    PLACEMENT, Splat, SplatFile, byte, ends, level, logit_of, said, smallest_three, turned,
     with_largest,
 };
 use crate::harmonics::{DEGREE, HARMONICS};
@@ -179,7 +179,7 @@ type Pixel = [u8; 4];
 
 /// A file that is read.
 struct File<'a> {
-    archive: ZipArchive<Cursor<Vec<u8>>>,
+    archive: ZipArchive<Cursor<&'a [u8]>>,
     /// The folder in the archive that has all files: empty, or ending in `/`, or in `\` as some on Windows.
     folder: String,
     meta: Value,
@@ -191,8 +191,8 @@ struct File<'a> {
 }
 
 /// Reads an archive.
-pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
-    let archive = ZipArchive::new(Cursor::new(whole(source, length, path)?));
+pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
+    let archive = ZipArchive::new(Cursor::new(bytes));
     let archive = archive.or_else(|error| damaged(path, error))?;
     // some programs pack the folder, not what is in it
     let folders = archive.file_names().filter_map(|name| name.strip_suffix(META));
@@ -204,7 +204,7 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
         );
         return invalid(path, reason);
     };
-    let length = length as usize;
+    let length = bytes.len();
     let mut file = File { archive, folder, meta: Value::Null, count: 0, length, path };
     file.meta = parse_json(&file.bytes(META)?, path)?;
     file.splats()

@@ -207,7 +207,7 @@ struct Header {
 
 impl Header {
     /// `max` is the number of bytes that the file can expand to at most.
-    fn parse(bytes: &[u8], length: u64, max: u64, versions: &[u32], path: &Path) -> Result<Self> {
+    fn parse(bytes: &[u8], length: usize, max: u64, versions: &[u32], path: &Path) -> Result<Self> {
         let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|byte| bytes[4 * at + byte]));
         if word(0) != MAGIC {
             return invalid(path, "it is packed with gzip, but it is not an SPZ file");
@@ -226,7 +226,7 @@ impl Header {
             );
         }
         let needed = header.widths().iter().map(|width| (width * count) as u64).sum::<u64>();
-        if needed > length.saturating_mul(max) {
+        if needed > (length as u64).saturating_mul(max) {
             let reason = format!(
                 "its header has {count} Gaussians, more than {length} bytes can hold; the file was cut short or is \
                  damaged"
@@ -300,12 +300,12 @@ impl Header {
 }
 
 /// Reads version 1, 2 or 3, which are in gzip.
-pub fn read_packed(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
-    read_old(GzDecoder::new(source), length, MAX_PACKED, path)
+pub fn read_packed(bytes: &[u8], path: &Path) -> Result<SplatFile> {
+    read_old(GzDecoder::new(bytes), bytes.len(), MAX_PACKED, path)
 }
 
-/// Reads version 1, 2 or 3. `max` is the number of bytes that a byte of the file can expand to.
-pub fn read_old(mut source: impl Read, length: u64, max: u64, path: &Path) -> Result<SplatFile> {
+/// Reads version 1, 2 or 3. `max` is the number of bytes that each of the file's `length` bytes can expand to.
+pub fn read_old(mut source: impl Read, length: usize, max: u64, path: &Path) -> Result<SplatFile> {
     let mut bytes = [0; 16];
     source.read_exact(&mut bytes).or_else(|_| cut(path))?;
     let header = Header::parse(&bytes, length, max, &[1, 2, 3], path)?;
@@ -321,7 +321,8 @@ pub fn read_old(mut source: impl Read, length: u64, max: u64, path: &Path) -> Re
 }
 
 /// Reads version 4.
-pub fn read(mut source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
+pub fn read(mut source: &[u8], path: &Path) -> Result<SplatFile> {
+    let length = source.len();
     let mut bytes = [0; HEADER];
     source.read_exact(&mut bytes).or_else(|_| cut(path))?;
     let header = Header::parse(&bytes, length, MAX_PACKED_4, &[4], path)?;

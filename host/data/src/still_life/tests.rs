@@ -42,17 +42,6 @@ fn noise_has_its_variance() {
     }
 }
 
-#[test]
-fn rays_go_through_the_places_that_the_camera_projects_to() {
-    for camera in cameras(7, [64, 48]).unwrap() {
-        let place = DVec3::new(0.2, -0.1, 0.3);
-        let [x, y, _] = camera.project(place.to_array()).unwrap();
-        let ray = camera.ray([x, y]).normalize();
-        let expected = (place - DVec3::from(camera.eye())).normalize();
-        assert!(ray.distance(expected) < 1e-12, "{ray} {expected}");
-    }
-}
-
 /// Where a ray enters the ball: the smaller root.
 fn enters_ball(half: DVec3, origin: DVec3, direction: DVec3) -> Option<f64> {
     let b = origin.dot(direction);

@@ -96,49 +96,6 @@ fn views_of_a_panorama_show_the_directions_of_their_rays() {
     }
 }
 
-/// A room with waves on its walls. Six pinhole cameras photograph it, and a panorama is made of their photographs.
-#[test]
-fn views_equal_the_pinhole_photographs_that_a_panorama_is_made_of() {
-    let side = 600;
-    let eye = [5.0, -2.0, 1.0];
-    let (_, turn) = pose();
-    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-    let targets = axes.into_iter().flat_map(|axis| [axis, -axis]);
-    let photographs: Vec<_> = targets
-        .map(|target| {
-            let target_place = (DVec3::from(eye) + target).to_array();
-            let up = [target.y, target.z, target.x].map(f64::abs);
-            let camera = Camera::look_at(eye, target_place, up, 0.5 * PI, [side; 2]).unwrap();
-            let [right, down, forward] = camera.axes();
-            let wave = |x: u32, y: u32| {
-                let [x, y] = [x, y].map(|at| (f64::from(at) + 0.5) / f64::from(side) * 2.0 - 1.0);
-                let wall = forward + x * right + y * down;
-                let waves = [wall.x * 7.0 + wall.y * 3.0, wall.y * 8.0 - wall.z, wall.z * 6.0];
-                image::Rgb(waves.map(|phase| (127.5 + 100.0 * phase.sin()).round() as u8))
-            };
-            (camera, image::RgbImage::from_fn(side, side, wave))
-        })
-        .collect();
-    let seen = |ray: DVec3| {
-        let place = (DVec3::from(eye) + ray).to_array();
-        let found = photographs.iter().find_map(|(camera, image)| {
-            let [x, y, _] = camera.project(place)?;
-            Some(DVec3::from(image.get_pixel(x as u32, y as u32).0.map(f64::from)))
-        });
-        // exactly on an edge
-        found.unwrap_or(DVec3::splat(127.5))
-    };
-    let size = [1024, 512];
-    let file = panoramas(2, size);
-    let folder = folder(&file, size, |place| seen(turn * shown_by_panorama(place, size)));
-    for frame in load(folder.path()).unwrap().frames {
-        let off = differences(&frame, |ray| Some(seen(ray)));
-        let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
-        println!("{}: {rms} of 255 in the mean", frame.name);
-        assert!(rms < 2.0, "{}: {rms}", frame.name);
-    }
-}
-
 #[test]
 fn views_of_a_wide_fisheye_show_the_directions_of_their_rays() {
     let size = [160, 144];

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Thousands of mutated command lines and files, and a fault at each system call that writes: what
+# Thousands of mutations of each file of the corpus, and a fault at each system call that writes: what
 # the tests try some of. Each round of mutations takes another seed.
 #
 #   ROUNDS=10 INPUTS=2000 scripts/mutations.sh
@@ -11,7 +11,6 @@ for (( round = 0; round < ${ROUNDS:-4}; round++ )); do
   seed=$RANDOM
   echo "mutations, seed $seed"
   ORGANZA_MUTATIONS=${INPUTS:-2000} ORGANZA_MUTATION_SEED=$seed \
-    cargo test --package organza-tests --test program mutations -- --nocapture
+    cargo test --package organza-tests --test program corpus -- --nocapture
 done
-ORGANZA_CORPUS_MUTATIONS=${INPUTS:-2000} cargo test --package organza-tests --test program corpus -- --nocapture
 ORGANZA_ALL_FAULTS=1 cargo test --package organza-tests --test program faults -- --nocapture

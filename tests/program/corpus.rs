@@ -8,7 +8,8 @@ use organza::fuzz::TARGETS;
 use crate::held::run;
 use crate::mutate::{Random, mutate_bytes, number};
 
-/// Number of random changes of each file. `ORGANZA_CORPUS_MUTATIONS` replaces it.
+/// Number of random changes of each file. `ORGANZA_MUTATIONS` replaces it, as in `.ci/nightly`, and `ORGANZA_MUTATION_SEED`
+/// sets the seed.
 const MUTATIONS: u64 = 50;
 
 #[test]
@@ -40,8 +41,10 @@ fn the_corpus_is_parsed_or_refused() {
                 flipped[at] = 0xff;
                 run(target, &flipped, &format!("{what}, byte {at} 0xff,"));
             }
-            for round in 0..number("ORGANZA_CORPUS_MUTATIONS", MUTATIONS) {
-                let mut random = Random(round.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ files);
+            let seed = number("ORGANZA_MUTATION_SEED", 1);
+            for round in 0..number("ORGANZA_MUTATIONS", MUTATIONS) {
+                let mut random =
+                    Random((seed ^ round << 32).wrapping_mul(0x2545_f491_4f6c_dd1d) ^ files);
                 let mut changed = bytes.clone();
                 (0..=random.below(6)).for_each(|_| mutate_bytes(&mut changed, &mut random));
                 run(target, &changed, &format!("{what}, changed, round {round},"));

@@ -17,7 +17,6 @@ mod hostile;
 mod limits;
 mod mesh;
 mod mutate;
-mod mutations;
 #[cfg(unix)]
 mod outputs;
 mod parity;

@@ -144,22 +144,6 @@ impl Sandbox {
         Self { folder }
     }
 
-    /// A new sandbox with the same files.
-    pub fn copy(other: &Self) -> Self {
-        let folder = tempfile::tempdir().expect("a folder");
-        for (path, content) in other.files() {
-            let path = folder.path().join(path.strip_prefix(other.folder.path()).expect("in it"));
-            match content {
-                Some(content) => {
-                    fs::create_dir_all(path.parent().expect("a folder")).unwrap();
-                    fs::write(path, content).unwrap();
-                }
-                None => fs::create_dir_all(path).unwrap(),
-            }
-        }
-        Self { folder }
-    }
-
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }

@@ -17,8 +17,6 @@ use organza_core::input::parse_json;
 use organza_core::scene::{Placement, logit};
 
 const EXTENSION: &str = "KHR_gaussian_splatting";
-/// An extension that only allows more types of components.
-const QUANTIZED: &str = "KHR_mesh_quantization";
 /// The values of the extension that are known; others are read as these.
 const KNOWN: [(&str, &str); 2] = [("kernel", "ellipse"), ("colorSpace", "srgb_rec709_display")];
 /// Smallest distance of an opacity from 0 and 1: these have no finite logit.
@@ -28,9 +26,6 @@ const ORTHONORMAL: f64 = 1e-4;
 /// glTF's code for components of type float.
 pub(super) const FLOAT: u32 = 5126;
 const BYTE: u32 = 5121;
-/// Types of components: the code, the number of bytes, and the level that stands for 1 if they are normalized.
-const COMPONENTS: [(u32, usize, f32); 5] =
-    [(FLOAT, 4, 1.0), (BYTE, 1, 255.0), (5120, 1, 127.0), (5123, 2, 65_535.0), (5122, 2, 32_767.0)];
 /// Names of values with 1 to 4 components.
 const KINDS: [&str; 4] = ["SCALAR", "VEC2", "VEC3", "VEC4"];
 /// glTF's code for a buffer of vertex attributes.
@@ -207,9 +202,8 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     let data = rest.get(8..).unwrap_or_default();
     let Some(data) = data.get(..length) else { return damaged(path, "it was cut short") };
     let file = File { json: parse_json(text, path)?, data, path };
-    let required = file.json["extensionsRequired"].as_array().into_iter().flatten();
-    let mut unknown = required.filter(|name| **name != EXTENSION && **name != QUANTIZED);
-    if let Some(name) = unknown.next() {
+    let mut required = file.json["extensionsRequired"].as_array().into_iter().flatten();
+    if let Some(name) = required.find(|name| **name != EXTENSION) {
         let reason = format!(
             "the extension {name} is not read; write the Gaussians without it, or as a .ply"
         );
@@ -367,7 +361,7 @@ impl File<'_> {
         Ok(splats)
     }
 
-    /// The values of an accessor, as floats.
+    /// The values of an accessor, which must be floats.
     fn values<const N: usize>(&self, name: &str, accessor: Option<u64>) -> Result<Vec<[f32; N]>> {
         let Some(index) = accessor else {
             return invalid(self.path, format!("its Gaussians have no attribute {name}"));
@@ -390,44 +384,27 @@ impl File<'_> {
             let reason = "its values are in another file; write one .glb with everything in it";
             return invalid(self.path, reason);
         }
-        let code = number(&accessor["componentType"]).unwrap_or_default() as u32;
-        let Some(&(_, size, max)) = COMPONENTS.iter().find(|known| known.0 == code) else {
-            return broken();
-        };
-        if accessor["type"] != KINDS[N - 1] {
-            return invalid(self.path, format!("the attribute {name} is no {}", KINDS[N - 1]));
+        if accessor["componentType"] != FLOAT || accessor["type"] != KINDS[N - 1] {
+            let kind = KINDS[N - 1];
+            return invalid(self.path, format!("the attribute {name} is no {kind} of floats"));
         }
-        let unit = if accessor["normalized"] == true { max } else { 1.0 };
-        let stride = number(&view["byteStride"]).unwrap_or(N * size);
+        let size = size_of::<[f32; N]>();
+        let stride = number(&view["byteStride"]).unwrap_or(size);
         let offset = |value: &Value| number(&value["byteOffset"]).unwrap_or_default();
         let data = self.data.get(offset(view)..).and_then(|data| data.get(offset(accessor)..));
         let (Some(data), Some(count)) = (data, number(&accessor["count"])) else { return broken() };
-        if count > 0 && (stride < N * size || data.len() < N * size) {
+        if count > 0 && (stride < size || data.len() < size) {
             return broken();
         }
-        if count > 0 && count - 1 > (data.len() - N * size) / stride {
+        if count > 0 && count - 1 > (data.len() - size) / stride {
             return broken();
         }
         let mut values = memory::zeros::<[f32; N]>(count, "an attribute of a glTF file")?;
         for (row, value) in data.chunks(stride).zip(&mut values) {
-            *value = std::array::from_fn(|at| {
-                let bytes = &row[at * size..(at + 1) * size];
-                // of a signed type, two levels are -1
-                (component(code, bytes) / unit).max(if unit > 1.0 { -1.0 } else { f32::MIN })
-            });
+            let (bytes, _) = row.as_chunks();
+            *value = std::array::from_fn(|at| f32::from_le_bytes(bytes[at]));
         }
         Ok(values)
-    }
-}
-
-/// A component's value.
-fn component(code: u32, bytes: &[u8]) -> f32 {
-    match (code, bytes) {
-        (5120, [byte]) => byte.cast_signed().into(),
-        (5122, &[low, high]) => i16::from_le_bytes([low, high]).into(),
-        (_, [byte]) => (*byte).into(),
-        (_, &[low, high]) => u16::from_le_bytes([low, high]).into(),
-        (_, bytes) => f32::from_le_bytes(std::array::from_fn(|at| bytes[at])),
     }
 }
 
@@ -541,37 +518,6 @@ mod tests {
     }
 
     #[test]
-    fn components_may_be_integers() {
-        let as_type = |name: &str, code: u32| {
-            let name = name.to_owned();
-            move |json: &mut Value| {
-                let at = json["meshes"][0]["primitives"][0]["attributes"][&name].as_u64().unwrap();
-                let accessor = &mut json["accessors"][at as usize];
-                accessor["componentType"] = json!(code);
-                accessor["normalized"] = json!(true);
-                let view = accessor["bufferView"].as_u64().unwrap() as usize;
-                // the rows stay where they are
-                let width = if name.ends_with("OPACITY") { 4 } else { 16 };
-                json["bufferViews"][view]["byteStride"] = json!(width);
-                json["nodes"][0] = json!({"mesh": 0});
-            }
-        };
-        let bytes = with(as_type("KHR_gaussian_splatting:OPACITY", 5121));
-        for (found, splat) in read_bytes(&bytes).unwrap().iter().zip(splats()) {
-            let [low, ..] = sigmoid(splat.opacity).to_le_bytes();
-            let expected = (f32::from(low) / 255.0).clamp(1e-6, 1.0 - 1e-6);
-            assert!((sigmoid(found.opacity) - expected).abs() < 1e-5, "{found:?}");
-        }
-        let bytes = with(as_type("KHR_gaussian_splatting:ROTATION", 5122));
-        for (found, splat) in read_bytes(&bytes).unwrap().iter().zip(splats()) {
-            let [_, x, ..] = turned(&splat);
-            let [a, b, ..] = x.to_le_bytes();
-            let expected = (f32::from(i16::from_le_bytes([a, b])) / 32767.0).max(-1.0);
-            assert_eq!(found.rotation[1], expected);
-        }
-    }
-
-    #[test]
     fn bad_files_are_refused_with_a_reason() {
         let refused = |edit: fn(&mut Value), facts: &[&str]| assert_refused(&with(edit), facts);
         refused(|json| json["nodes"][0]["scale"] = json!([1, 2, 1]), &["axes differently"]);
@@ -583,7 +529,10 @@ mod tests {
         refused(|json| json["buffers"][0]["uri"] = json!("a.bin"), &["another file"]);
         refused(|json| json["accessors"][1]["count"] = json!(u64::MAX), &["where it should be"]);
         refused(|json| json["accessors"][1]["count"] = json!(2), &["different lengths"]);
-        refused(|json| json["accessors"][1]["componentType"] = json!(7), &["where it should be"]);
+        refused(
+            |json| json["accessors"][1]["componentType"] = json!(5122),
+            &["ROTATION", "floats"],
+        );
         refused(|json| json["bufferViews"][1]["byteStride"] = json!(0), &["where it should be"]);
         refused(|json| json["bufferViews"][1]["byteOffset"] = json!(u64::MAX), &["ROTATION"]);
         let extension = |json: &mut Value, key: &str, value: Value| {

@@ -1,6 +1,7 @@
 //! Snapshots of A, B and C, alone and together: `docs/correctness.md` says how to read and accept them.
 //!
-//! A snapshot locks a value but does not prove it. So every scene is also compared with the equations in f64.
+//! A snapshot locks a value but does not prove it. Parity compares each stage with its equations in f64, `reference_cases` all of them
+//! with another program, and every scene of tiles is compared with Eq. 12 and 13.
 
 pub mod exact;
 mod generator;

@@ -1,78 +1,12 @@
-//! The equations in f64. A snapshot locks a value, and these show that it was right when it was locked.
+//! The equations of projection and tiles in f64.
 
-use organza::scene::Network;
 use organza::{Camera, Scene, Stages, TileBatch};
 use organza_parity::exact::composite::{self, Splat};
-use organza_parity::exact::dense::{affine, relu};
-use organza_parity::exact::hash_grid::encode;
-use organza_parity::exact::numeric::{Number, dot};
 use organza_parity::exact::project::{self, Gaussian, Projected, View};
-use organza_parity::exact::transmittance::{log_rho, midpoint, transmittance as product};
-use organza_parity::exact::unit_cube::unit;
-use organza_parity::exact::{resolve, segment, spherical_harmonics};
+use organza_parity::exact::resolve;
 
 fn wide<const N: usize>(values: [f32; N]) -> [f64; N] {
     values.map(f64::from)
-}
-
-/// The harmonics of the direction in which a camera sees a Gaussian.
-pub fn harmonics(scene: &Scene, camera: &Camera, gaussian: usize) -> Vec<f64> {
-    let position = wide(scene.gaussians.position[gaussian]);
-    let direction = spherical_harmonics::direction(camera.eye(), position);
-    let count = (scene.config.sh_degree as usize + 1).pow(2);
-    (0..count).map(|at| spherical_harmonics::harmonic(at, direction)).collect()
-}
-
-/// A Gaussian's features in the color grid.
-pub fn color_features(scene: &Scene, gaussian: usize) -> Vec<f64> {
-    let point = unit(wide(scene.gaussians.position[gaussian]), scene.config.aabb, false);
-    encode(&scene.config.color_grid, &scene.color.grid, point)
-}
-
-/// A whole network: ReLU after every layer but the last.
-fn network(network: &Network, mut values: Vec<f64>) -> Vec<f64> {
-    let wide = |row: &[f32]| row.iter().copied().map(f64::from).collect::<Vec<_>>();
-    for (index, layer) in network.layers.iter().enumerate() {
-        let rows = layer.weight.chunks_exact(layer.inputs).zip(&layer.bias);
-        let is_hidden = index + 1 < network.layers.len();
-        values = rows
-            .map(|(row, &bias)| affine(&wide(row), f64::from(bias), &values))
-            .map(|x| if is_hidden { relu(x) } else { x })
-            .collect();
-    }
-    values
-}
-
-/// Eq. 1-3, from the harmonics and features of the stages.
-pub fn color(scene: &Scene, sh: &[f32], features: &[f32], gaussian: usize) -> Vec<f64> {
-    let width = scene.config.material as usize;
-    let material = &scene.gaussians.material[gaussian * width..][..width];
-    let input = [sh, features, material].concat().into_iter().map(f64::from).collect();
-    network(&scene.color.network, input).into_iter().map(Number::sigmoid).collect()
-}
-
-/// Eq. 4-11: K and T.
-pub fn transmittance(scene: &Scene, camera: &Camera, gaussian: usize) -> (u32, f64) {
-    let config = &scene.config;
-    let p = wide(scene.gaussians.position[gaussian]);
-    let eye = camera.eye();
-    let [p, eye] = [p, eye].map(|point| unit(point, config.aabb, false));
-    let segment = segment::segment(p, eye, config.step);
-    let steps = dot(segment.way, segment.way).sqrt() / config.step;
-    if steps == 0.0 {
-        return (0, 1.0);
-    }
-    assert!((steps - steps.round()).abs() > 1e-4, "rounding would decide on K: {steps} steps");
-    let width = config.extra as usize;
-    let extra = &scene.gaussians.extra[gaussian * width..][..width];
-    let count = segment.count as u32;
-    let log_rho = (0..count).map(|k| {
-        let x = midpoint(segment.start, segment.way, k, count);
-        let mut input = encode(&config.transmittance_grid, &scene.transmittance.grid, x);
-        input.extend(extra.iter().map(|&u| f64::from(u)));
-        log_rho(network(&scene.transmittance.network, input)[0], segment.factor)
-    });
-    (count, product(log_rho.sum::<f64>()))
 }
 
 /// A camera, for the equations.

@@ -4,7 +4,6 @@ use organza::{Camera, RenderedTiles, Scene, Stages, Tile, TileBatch};
 
 use crate::snapshots::exact::{self, Branches};
 use crate::snapshots::generator::{Recipe, camera, camera_to, keep};
-use crate::snapshots::stages::record_transmittance;
 use crate::snapshots::{RENDERERS, SNAPSHOTS};
 use muslin_check::snapshot::compare::Tolerance;
 use muslin_check::snapshot::picture::Montage;
@@ -51,9 +50,6 @@ impl Shot<'_> {
                 .iter()
                 .map(|camera| renderer.stages(&scene, camera).expect("the stages run"))
                 .collect();
-            for (camera, stages) in self.cameras.iter().zip(&stages) {
-                record_transmittance(&self.scene, camera, stages);
-            }
             let (exact, branches) = exact::tiles(&self.scene, &stages, &self.batch);
             for (index, (&found, exact)) in found.data.iter().zip(&exact).enumerate() {
                 let apart = (f64::from(found) - exact).abs();

@@ -3,14 +3,73 @@
 use std::fs;
 use std::path::Path;
 
+use muslin_check::inputs::Random;
 use organza::fuzz::TARGETS;
 
 use crate::held::run;
-use crate::mutate::{Random, mutate_bytes, number};
 
 /// Number of random changes of each file. `ORGANZA_MUTATIONS` replaces it, as in `.ci/nightly`, and `ORGANZA_MUTATION_SEED`
 /// sets the seed.
 const MUTATIONS: u64 = 50;
+
+/// Texts that replace a number or any other word.
+const VALUES: [&str; 22] = [
+    "0",
+    "-1",
+    "1",
+    "1e39",
+    "-1e39",
+    "1e-46",
+    "1e308",
+    "1e999",
+    "nan",
+    "null",
+    "true",
+    "[]",
+    "{}",
+    "\"\"",
+    "4294967295",
+    "4294967296",
+    "9223372036854775807",
+    "18446744073709551615",
+    "0.5",
+    "[[1e300]]",
+    "\"\\u001b[2J\"",
+    "3.4e38",
+];
+
+/// Changes bytes at one place.
+fn mutate_bytes(bytes: &mut Vec<u8>, random: &mut Random) {
+    let mut below = |end: usize| random.below(end as u32) as usize;
+    if bytes.is_empty() {
+        return bytes.push(below(256) as u8);
+    }
+    let at = below(bytes.len());
+    let end = (at + 1 + below(16)).min(bytes.len());
+    match below(7) {
+        0 => bytes.truncate(at),
+        1 => bytes[at..end].iter_mut().for_each(|byte| *byte ^= 1 << below(8)),
+        2 => bytes[at..end].fill([0, 0xff, 0x7f, 0x80][below(4)]),
+        3 => drop(bytes.drain(at..end)),
+        4 => {
+            let copy = bytes[at..end].to_vec();
+            bytes.splice(at..at, copy);
+        }
+        // replaces a number in text
+        5 => {
+            let is_number = |byte: &u8| byte.is_ascii_digit() || b".-+e".contains(byte);
+            let from = (at..bytes.len()).find(|&i| is_number(&bytes[i])).unwrap_or(at);
+            let length = bytes[from..].iter().take_while(|byte| is_number(byte)).count();
+            bytes.splice(from..from + length, VALUES[below(VALUES.len())].bytes());
+        }
+        _ => drop(bytes.splice(at..end, VALUES[below(VALUES.len())].bytes())),
+    }
+}
+
+/// A number from an environment variable.
+fn number(name: &str, default: u64) -> u64 {
+    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
+}
 
 #[test]
 fn the_corpus_is_parsed_or_refused() {
@@ -43,8 +102,7 @@ fn the_corpus_is_parsed_or_refused() {
             }
             let seed = number("ORGANZA_MUTATION_SEED", 1);
             for round in 0..number("ORGANZA_MUTATIONS", MUTATIONS) {
-                let mut random =
-                    Random((seed ^ round << 32).wrapping_mul(0x2545_f491_4f6c_dd1d) ^ files);
+                let mut random = Random::new(seed << 40 ^ round << 20 ^ files);
                 let mut changed = bytes.clone();
                 (0..=random.below(6)).for_each(|_| mutate_bytes(&mut changed, &mut random));
                 run(target, &changed, &format!("{what}, changed, round {round},"));

@@ -16,7 +16,6 @@ mod held;
 mod hostile;
 mod limits;
 mod mesh;
-mod mutate;
 #[cfg(unix)]
 mod outputs;
 mod parity;

@@ -1,10 +1,9 @@
 //! Runs that end before their last step, and then continue to the same result.
 #![cfg(unix)]
 
+use std::fs;
 use std::path::Path;
 use std::process::Child;
-use std::time::Duration;
-use std::{fs, thread};
 
 use organza::Renderer;
 use organza::train::{
@@ -14,9 +13,7 @@ use organza::train::{
 use organza_tests::devices;
 
 use super::processes::{self, start};
-use super::runs::{
-    TINY, assert_readable, assert_same, assert_same_run, bits, dataset, evaluations, sandbox,
-};
+use super::runs::{TINY, assert_same, assert_same_run, bits, dataset, evaluations, sandbox};
 use crate::sandbox::{Outcome, Sandbox, wait_until};
 
 /// The number of steps in a log, which may still be written.
@@ -108,34 +105,6 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
     }
     assert_same("run", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
     assert_eq!(steps(&sandbox.path("run")), 40);
-}
-
-#[test]
-fn a_run_that_is_killed_goes_on_to_the_same_bits() {
-    let sandbox = sandbox();
-    // makes the run write most of the time
-    let often = "--checkpoint-every 1";
-    sandbox.run(&format!("{TINY} whole {often}")).assert_ok();
-    let folder = sandbox.path("run");
-    let mut words = format!("{TINY} run {often}");
-    let mut kills = 0;
-    for delay in [0, 7, 31, 2, 19, 53] {
-        let mut child = start(&sandbox, &words);
-        // at least one more step, so that there is progress
-        let count = steps(&folder) + 1;
-        wait_for_steps(&mut child, &folder, count);
-        thread::sleep(Duration::from_millis(delay));
-        kills += usize::from(child.try_wait().unwrap().is_none());
-        let _ = child.kill();
-        child.wait().unwrap();
-        assert_readable(&folder);
-        words = "train --resume run --backend cpu".to_owned();
-    }
-    assert!(kills >= 3, "{kills} of 6 runs were there to be killed");
-    sandbox.run(&words).assert_ok();
-    assert_like_whole(&sandbox, "run");
-    let names: Vec<_> = sandbox.contents("run").into_keys().collect();
-    assert_eq!(names, [BEST, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT]);
 }
 
 /// A schedule made after the checkpoint must not prevent a resume from it.

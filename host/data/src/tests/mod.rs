@@ -5,8 +5,6 @@ mod find;
 mod gains;
 mod lens;
 mod load;
-#[path = "../../../core/src/input/nasty.rs"]
-mod nasty;
 mod nerfstudio;
 mod panorama;
 mod photograph;

@@ -1,9 +1,5 @@
 use std::fs;
 
-use proptest::prelude::*;
-use proptest::sample::Index;
-
-use super::nasty::{nasty_value, replace_value};
 use super::*;
 use crate::lens::Projection;
 use crate::transforms::lens_of as transforms_lens;
@@ -163,22 +159,4 @@ fn frame_errors() {
     let folder = nerfstudio_folder(&transforms(2));
     fs::write(folder.path().join("transforms.json"), "{").unwrap();
     assert_refused(folder.path(), &["transforms.json", "line 1"]);
-}
-
-proptest! {
-    #[test]
-    fn nasty_values_load_validly_or_fail(place in any::<Index>(), nasty in nasty_value()) {
-        let mut file = transforms(2);
-        file["k1"] = json!(0.1);
-        file["p2"] = json!(0.01);
-        let folder = nerfstudio_folder(&file);
-        replace_value(&mut file, place, nasty);
-        write_json(&folder.path().join("transforms.json"), &file);
-        if let Ok(dataset) = load(folder.path()) {
-            for frame in dataset.frames {
-                prop_assert!(frame.camera.validate(0).is_ok());
-                prop_assert_eq!(frame.image.width(), frame.camera.width);
-            }
-        }
-    }
 }

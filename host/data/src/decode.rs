@@ -226,23 +226,12 @@ impl Decoded {
         let first = (y as usize * self.width as usize + x as usize) * self.pixel_bytes;
         let bytes = &self.bytes[first..first + self.pixel_bytes];
         if self.color.bytes_per_pixel() == self.color.channel_count() {
-            return rgba_of(bytes, |&byte| UNIT[usize::from(byte)]);
+            return rgba_of(bytes, |&byte| f32::from(byte) / 255.0);
         }
         let (wide, _) = bytes.as_chunks::<2>();
         rgba_of(wide, |&bytes| f32::from(u16::from_ne_bytes(bytes)) / 65535.0)
     }
 }
-
-/// The values of 8-bit numbers.
-static UNIT: [f32; 256] = {
-    let mut unit = [0.0; 256];
-    let mut byte = 0;
-    while byte < 256 {
-        unit[byte] = byte as f32 / 255.0;
-        byte += 1;
-    }
-    unit
-};
 
 /// The RGBA of a pixel with one to four channels: gray, gray and alpha, color, color and alpha.
 #[inline]
@@ -356,8 +345,7 @@ mod tests {
     #[test]
     fn eight_bits_stand_for_themselves() {
         for byte in 0..=255 {
-            assert_eq!(to_8_bit(UNIT[usize::from(byte)]), byte);
-            assert_eq!(UNIT[usize::from(byte)].to_bits(), (f32::from(byte) / 255.0).to_bits());
+            assert_eq!(to_8_bit(f32::from(byte) / 255.0), byte);
         }
     }
 }

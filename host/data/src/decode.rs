@@ -60,17 +60,6 @@ pub(super) fn size_from(source: impl BufRead + Seek, length: u64, path: &Path) -
     Ok([width, height])
 }
 
-/// Whether a photograph has an alpha channel, from its header.
-pub(super) fn has_alpha(path: &Path) -> Result<bool> {
-    let (file, length) = open_regular(path)?;
-    // like `size`
-    memory::check(length, "a photograph's file")?;
-    let reader = ImageReader::new(BufReader::new(file)).with_guessed_format();
-    let reader = reader.map_err(|source| Error::read(path, source))?;
-    let decoder = reader.into_decoder().map_err(|error| broken(path, &error))?;
-    Ok(decoder.color_type().has_alpha())
-}
-
 /// Bytes of the free memory that decoding may take, beside `kept` bytes of results.
 pub(super) fn budget(kept: u64) -> u64 {
     let free = memory::available().map(|bytes| bytes.saturating_sub(kept));

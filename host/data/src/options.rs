@@ -98,8 +98,7 @@ pub enum Alpha {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Written", into = "Written")]
 pub enum Background {
-    /// White for a Blender data set whose photographs have an alpha channel, as in the tables of NeRF and its
-    /// successors. Black for all others.
+    /// White for a Blender data set, as in the tables of NeRF and its successors, unless alpha is a mask. Black for all others.
     #[default]
     Auto,
     /// Red, green and blue as sRGB values, 0 to 1.

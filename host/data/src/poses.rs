@@ -3,7 +3,7 @@
 use std::fs;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
@@ -34,8 +34,6 @@ pub struct Poses {
     folder: PathBuf,
     /// Whether frames were left out on purpose, so that there may be none to train on.
     is_part: bool,
-    /// Background of the photographs, once it is decided.
-    background: OnceLock<[f32; 3]>,
 }
 
 /// A camera of a data set.
@@ -61,6 +59,12 @@ impl Poses {
         fs::metadata(path).map_err(|source| Error::read(path, source))?;
         let mut poses = Self::new(&folder_of(path), options)?;
         list(&mut poses)?;
+        let is_white = poses.dataset.kind == DatasetKind::Blender
+            && options.background == Background::Auto
+            && options.alpha == Alpha::Background;
+        if is_white {
+            poses.options.background = Background::Color([1.0; 3]);
+        }
         poses.dataset.notes.extend(poses.unlikely_lens());
         poses.dataset.notes.extend(poses.unused_masks());
         let path = &poses.dataset.path;
@@ -216,14 +220,11 @@ impl Poses {
 
     /// Keeps only the held-out frames, or only the ones to train on. Nothing else is read. Photographs look the same as
     /// in the whole data set.
-    ///
-    /// # Errors
-    /// The same errors as [`Dataset::load`].
-    pub fn only(mut self, held_out: bool) -> Result<Self> {
-        self.background()?;
+    #[must_use]
+    pub fn only(mut self, held_out: bool) -> Self {
         self.shots.retain(|shot| shot.held_out == held_out);
         self.is_part = true;
-        Ok(self)
+        self
     }
 
     /// Every camera, in the order of [`Dataset::frames`].
@@ -266,28 +267,8 @@ impl Poses {
     /// The same errors as [`Dataset::load`], for this photograph.
     pub fn photograph(&self, index: usize) -> Result<Option<Frame>> {
         let Some(shot) = self.shots.get(index) else { return Ok(None) };
-        let background = Background::Color(self.background()?);
-        let options = DatasetOptions { background, ..self.options.clone() };
         shot.at_once(decode::budget(0))?;
-        shot.develop(&options).map(|(frame, _)| Some(frame))
-    }
-
-    /// The background of the photographs. The first call may look at every photograph.
-    pub(super) fn background(&self) -> Result<[f32; 3]> {
-        if let Some(background) = self.background.get() {
-            return Ok(*background);
-        }
-        let may_be_white = self.options.background == Background::Auto
-            && self.options.alpha == Alpha::Background
-            && self.dataset.kind == DatasetKind::Blender;
-        let mut background = self.options.background.color();
-        for shot in self.shots.iter().take_while(|_| may_be_white) {
-            if decode::has_alpha(&shot.path)? {
-                background = [1.0; 3];
-                break;
-            }
-        }
-        Ok(*self.background.get_or_init(|| background))
+        shot.develop(&self.options).map(|(frame, _)| Some(frame))
     }
 
     /// Reads the photographs. Calls `progress` with the number of finished photographs and of all photographs. The first
@@ -296,9 +277,7 @@ impl Poses {
     /// # Errors
     /// The same errors as [`Dataset::load`].
     pub fn photographs(self, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Dataset> {
-        let background = self.background()?;
-        let Self { mut dataset, shots, is_part, .. } = self;
-        let options = DatasetOptions { background: Background::Color(background), ..self.options };
+        let Self { mut dataset, shots, options, is_part, .. } = self;
         let count = shots.len();
         let bytes = bytes_of(&shots);
         // checked before hours of reading
@@ -338,7 +317,7 @@ impl Poses {
         dataset.masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
         dataset.fingerprint = dataset.fingerprint.with_photographs(&digests);
         dataset.notes.extend(repeated(&shots, &digests));
-        dataset.background = background.map(f64::from);
+        dataset.background = options.background.color().map(f64::from);
         dataset.poses = shots.iter().map(|shot| shot.pose).collect();
         Ok(dataset)
     }

@@ -89,7 +89,7 @@ impl Args {
         let scene = source.load(console)?;
         let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
         settings.background = self.background.unwrap_or(Background::Color(of_scene));
-        let data = DataSet::of(&source, self.data.as_deref(), settings, console)?.only(split)?;
+        let data = DataSet::of(&source, self.data.as_deref(), settings, console)?.only(split);
         let renderer = self.device.open(console)?;
         let dataset = data.read(&renderer, console)?;
         let frames = frames(self, &dataset, split)?;

@@ -182,7 +182,7 @@ fn load_views(
     let cameras = |poses: Vec<Pose>| poses.into_iter().map(|pose| pose.camera).collect::<Vec<_>>();
     let [fitted, judges] = [fitted, judges].map(cameras);
     // only the photographs that the file is compared with are needed
-    let data = data.only(Split::HeldOut)?;
+    let data = data.only(Split::HeldOut);
     let data = has_held_out.then(|| data.read(renderer, console)).transpose()?;
     Ok((Views { fitted, judges }, data))
 }

@@ -271,11 +271,6 @@ fn alpha_is_in_front_of_white_unless_told_otherwise() {
     let dataset = load(folder.path()).unwrap();
     assert_eq!(dataset.background, [1.0; 3]);
     assert_eq!(dataset.frames[2].image.pixels()[0], [255; 3]);
-    // without alpha there is nothing to composite
-    for name in ["train/r_0.png", "train/r_1.png", "test/r_0.png"] {
-        image::RgbImage::new(8, 6).save(folder.path().join(name)).unwrap();
-    }
-    assert_eq!(load(folder.path()).unwrap().background, [0.0; 3]);
     // nerfstudio's data sets have no such tables
     let folder = self::folder();
     write_json(&folder.path().join("transforms.json"), &blender(&["./train/r_0"]));

@@ -342,17 +342,17 @@ impl DataSet {
     }
 
     /// The data set without unused photographs, which are not read. Ask for its cameras before.
-    pub fn only(mut self, split: Split) -> Result<Self> {
+    pub fn only(mut self, split: Split) -> Self {
         self.poses = match (self.poses, split) {
-            (Some(poses), Split::HeldOut) => Some(poses.only(true)?),
-            (Some(poses), Split::Train) => Some(poses.only(false)?),
+            (Some(poses), Split::HeldOut) => Some(poses.only(true)),
+            (Some(poses), Split::Train) => Some(poses.only(false)),
             (poses, _) => poses,
         };
         self.split = split;
         let cameras = built_in::cameras(&self.settings);
         let mut cameras = cameras.iter();
         self.motions.retain(|_| cameras.next().is_some_and(|pose| split.takes(pose.held_out)));
-        Ok(self)
+        self
     }
 
     /// Reads the photographs, or renders the built-in scene's.
@@ -384,8 +384,7 @@ impl DataSet {
         dataset.notes[known..].iter().for_each(|note| console.warn(note));
         if self.settings.background == Background::Auto && dataset.background == [1.0; 3] {
             console.note(
-                "the photographs have an alpha channel: the background is white, as in published tables; \
-                 --background changes it",
+                "the background is white, as in published tables of Blender's data sets; --background changes it",
             );
         }
         Ok(dataset)

@@ -327,7 +327,6 @@ fn is_marker(pair: &[u8]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use organza_core::image::to_8_bit;
 
     /// So 8-bit colors can be copied.

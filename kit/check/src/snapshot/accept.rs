@@ -1,5 +1,6 @@
 //! Compares the results of devices with accepted files.
 
+use std::fs;
 use std::path::PathBuf;
 
 use image::RgbImage;
@@ -81,7 +82,8 @@ impl Snapshots {
         self.assert(name, device, compare, || (self.text)(name[0], &text));
     }
 
-    /// Compares tiles `[K, 3, S, S]`, with colors from 0 to 1, with the picture `name`.
+    /// Compares tiles `[K, 3, S, S]`, with colors from 0 to 1, with the picture `name`. A picture of the difference is left in
+    /// cargo's target folder: `snapshot-failures/NAME-DEVICE.png`.
     ///
     /// # Panics
     /// If a pixel differs by more than rounding explains.
@@ -89,9 +91,17 @@ impl Snapshots {
         let level = |value: &f32| (value.clamp(0.0, 1.0) * 255.0).round() as u8;
         let levels: Vec<u8> = colors.iter().map(level).collect();
         let found: RgbImage = montage.draw(&levels);
+        let failure = failure(name[0], device);
+        _ = fs::remove_file(&failure);
         let compare = |accepted: &SnapshotContents| match accepted {
             SnapshotContents::Binary(Some(png)) => {
-                compare_pictures(&montage, &picture::decode(png)?, &found)
+                let expected = picture::decode(png)?;
+                compare_pictures(&montage, &expected, &found).map_err(|message| {
+                    let panels = picture::encode(&picture::difference(&expected, &found));
+                    let written = fs::write(&failure, panels);
+                    written.unwrap_or_else(|error| panic!("{}: {error}", failure.display()));
+                    format!("{message}; {} shows it", failure.display())
+                })
             }
             _ => Err("the accepted snapshot is no picture, or its PNG is missing".to_owned()),
         };
@@ -122,4 +132,17 @@ impl Snapshots {
         settings.set_description(description);
         settings.bind(ask);
     }
+}
+
+/// The file that shows the difference of a picture.
+///
+/// # Panics
+/// If the test is not run by cargo, or if the folder cannot be made.
+fn failure(name: &str, device: &str) -> PathBuf {
+    let test = std::env::current_exe().expect("a test has a program");
+    // target/debug/deps/test
+    let target = test.ancestors().nth(3).expect("it lies in cargo's target folder");
+    let folder = target.join("snapshot-failures");
+    fs::create_dir_all(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    folder.join(format!("{name}-{}.png", device.replace(' ', "-")))
 }

@@ -2,10 +2,14 @@
 
 use std::io::Cursor;
 
-use image::{ImageFormat, Rgb, RgbImage};
+use image::{ImageFormat, Rgb, RgbImage, imageops};
 
 /// Color between tiles.
 const GAP: Rgb<u8> = Rgb([128, 128, 128]);
+/// Distance of the panels of a [`difference`], in pixels.
+const PANEL_GAP: u32 = 8;
+/// Color of pixels that only one picture has.
+const MARK: Rgb<u8> = Rgb([255, 0, 255]);
 
 /// Tiles side by side. Each pixel is enlarged to a square, and there is an enlarged pixel of gray between tiles.
 #[derive(Clone, Copy, Debug)]
@@ -63,6 +67,29 @@ impl Montage {
             None => format!("{place:?} between the tiles, channel {channel}"),
         }
     }
+}
+
+/// What was expected, what was found, and the difference side by side. The difference is amplified until its largest value is
+/// bright. Magenta marks pixels that only one picture has.
+pub fn difference(expected: &RgbImage, found: &RgbImage) -> RgbImage {
+    let width = expected.width().max(found.width());
+    let height = expected.height().max(found.height());
+    let apart = |x, y| {
+        let e = expected.get_pixel_checked(x, y)?;
+        let f = found.get_pixel_checked(x, y)?;
+        Some([0, 1, 2].map(|channel| e.0[channel].abs_diff(f.0[channel])))
+    };
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let largest = places.filter_map(|(x, y)| apart(x, y)?.into_iter().max()).max();
+    let factor = u8::MAX / largest.unwrap_or(0).max(1);
+    let apart = RgbImage::from_fn(width, height, |x, y| {
+        apart(x, y).map_or(MARK, |steps| Rgb(steps.map(|step| step * factor)))
+    });
+    let mut panels = RgbImage::from_pixel(3 * width + 2 * PANEL_GAP, height, Rgb([255; 3]));
+    for (at, panel) in [expected, found, &apart].into_iter().enumerate() {
+        imageops::replace(&mut panels, panel, at as i64 * i64::from(width + PANEL_GAP), 0);
+    }
+    panels
 }
 
 /// Encodes a picture as PNG.

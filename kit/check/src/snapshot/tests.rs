@@ -1,5 +1,7 @@
 //! Wrong results must be refused, with a message that names the place.
 
+use image::{Rgb, RgbImage};
+
 use super::compare::{Tolerance, compare_pictures};
 use super::picture::{self, Montage};
 use super::tensors::Tensors;
@@ -138,4 +140,16 @@ fn pictures_may_be_off_by_a_step_and_at_edges_by_two() {
     let message =
         compare_pictures(&montage, &montage.draw(&bytes(&base)), &small.draw(&bytes(&base)));
     assert!(message.expect_err("another size").contains("sizes differ"));
+}
+
+#[test]
+fn a_difference_is_shown_beside_both_pictures() {
+    let expected = RgbImage::from_pixel(4, 2, Rgb([10, 20, 30]));
+    let mut found = RgbImage::from_pixel(4, 3, Rgb([10, 20, 30]));
+    found.put_pixel(1, 1, Rgb([10, 25, 30]));
+    let panels = picture::difference(&expected, &found);
+    assert_eq!(panels.dimensions(), (28, 3));
+    let colors =
+        [(0, 0), (13, 1), (25, 1), (24, 1), (24, 2)].map(|(x, y)| panels.get_pixel(x, y).0);
+    assert_eq!(colors, [[10, 20, 30], [10, 25, 30], [0, 255, 0], [0; 3], [255, 0, 255]]);
 }

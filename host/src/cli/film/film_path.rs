@@ -1,12 +1,10 @@
 //! The path of a film's camera.
 
-use std::path::Path;
-
 use organza::camera::{CameraPath, Orbit};
 use organza::{Camera, Result, Scene};
 
 use crate::cli::console::Console;
-use crate::cli::inputs::{Cameras, DataArgs, SceneSource};
+use crate::cli::inputs::{Cameras, DataArgs, Shown};
 use crate::cli::summary::count;
 use crate::cli::views::ViewList;
 use crate::cli::{image_size, refuse};
@@ -30,38 +28,24 @@ pub struct PathArgs {
     size: Option<[u32; 2]>,
 }
 
-/// The inputs of a film.
-pub struct Inputs<'a> {
-    pub source: &'a SceneSource,
-    pub scene: &'a Scene,
-    /// The cameras that the user named.
-    pub named: Option<&'a Path>,
-    pub data: &'a DataArgs,
-}
-
-/// The camera of each frame.
-#[derive(Debug)]
-pub struct FilmPath {
-    pub frames: Vec<Camera>,
-    /// The cameras that the path was made from, if there are any.
-    pub cameras: Option<Cameras>,
-}
-
 impl PathArgs {
-    /// The cameras of `count` frames. Without `--size`, width and height are even if `is_even` is true.
+    /// The camera of each of so many frames, and the cameras that the path was made from, if there are any. Without `--size`,
+    /// width and height are even if `is_even` is true.
     pub fn frames(
         &self,
-        inputs: &Inputs<'_>,
+        (shown, scene): (&Shown, &Scene),
+        data: &DataArgs,
         frames: usize,
         is_even: bool,
         console: Console,
-    ) -> Result<FilmPath> {
-        let Inputs { source, named, data, .. } = *inputs;
+    ) -> Result<(Vec<Camera>, Option<Cameras>)> {
+        let source = &shown.source;
+        let named = shown.cameras.as_deref();
         let is_between = named.is_some() || self.views.is_some() || self.is_closed;
         if !is_between && !data.is_given() && source.settings()?.is_none() {
             let size = self.size.unwrap_or(Orbit::SIZE);
-            let orbit = Orbit::from_box(inputs.scene.visible_box(), size);
-            return Ok(FilmPath { frames: orbit.cameras(frames)?, cameras: None });
+            let orbit = Orbit::from_box(scene.visible_box(), size);
+            return Ok((orbit.cameras(frames)?, None));
         }
         let cameras = Cameras::load(source, named, data, USAGE, console)?;
         let size = |camera: &Camera| self.size.unwrap_or_else(|| default_size(camera, is_even));
@@ -71,7 +55,7 @@ impl PathArgs {
             let way = Orbit::among(&cameras.list, frames)?;
             way.iter().map(|camera| camera.with_size(size(camera))).collect()
         };
-        Ok(FilmPath { frames, cameras: Some(cameras) })
+        Ok((frames, Some(cameras)))
     }
 
     fn between(

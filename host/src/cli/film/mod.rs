@@ -17,7 +17,7 @@ use super::signals::Signals;
 use super::summary::{Cost, Summary, count};
 use super::{refuse, text_of};
 use encode::FilmKind;
-use film_path::{Inputs, PathArgs, described};
+use film_path::{PathArgs, described};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -78,17 +78,19 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = &shown.source;
     let kind = FilmKind::from_path(&args.output)?;
     let scenes = shown.load(console)?;
-    let inputs =
-        Inputs { source, scene: &scenes[0], named: shown.cameras.as_deref(), data: &args.data };
-    let path = args.path.frames(&inputs, args.frames as usize, kind == FilmKind::Mp4, console)?;
-    let size @ [width, height] = [path.frames[0].width, path.frames[0].height];
+    let count_of = args.frames as usize;
+    let is_mp4 = kind == FilmKind::Mp4;
+    let of = (&shown, &scenes[0]);
+    let (cameras, named) = args.path.frames(of, &args.data, count_of, is_mp4, console)?;
+    let cameras = &cameras[..];
+    let size @ [width, height] = [cameras[0].width, cameras[0].height];
     kind.check(size)?;
     Image::check_memory(width, height)?;
     if kind != FilmKind::Frames {
-        let origin = path.cameras.iter().map(|cameras| cameras.origin.as_path());
+        let origin = named.iter().map(|named| named.origin.as_path());
         let inputs: Vec<_> = origin.chain([source.named(), source.file()]).collect();
         output::check_file(&args.output, &inputs)?;
-        if path.cameras.as_ref().is_some_and(|cameras| cameras.is_photograph(&args.output)) {
+        if named.as_ref().is_some_and(|named| named.is_photograph(&args.output)) {
             let path = args.output.display();
             return refuse(format!("{path} would replace a photograph; choose another name"));
         }
@@ -103,7 +105,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     // before this, a signal has ended the program, and nothing was changed
     let signals = Signals::listen()?;
     signals.keeps_results();
-    let cameras = &path.frames[..];
     let pictures = Pictures { renderer, scene, cameras, stop: Some(signals.stop()) };
     let mut summary = Summary::start();
     let mut not_finite = 0;
@@ -119,7 +120,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         });
         match &folder {
             Some(folder) => encode::write_folder(folder, frames)?,
-            None if kind == FilmKind::Mp4 => encode::write_mp4(&args.output, args.fps, frames)?,
+            None if is_mp4 => encode::write_mp4(&args.output, args.fps, frames)?,
             None => encode::write_animated_png(&args.output, size, args.fps, frames)?,
         }
     }

@@ -14,7 +14,7 @@ use organza_data::{Frame, Photograph, mean};
 
 const SHUFFLE: u64 = 1;
 
-/// Draws tiles. In each epoch, a randomly shifted grid covers every image. The cells that have a valid pixel form groups of
+/// Draws tiles. In each epoch, a randomly shifted grid covers every image. The cells that have a valid pixel form groups, blocks of
 /// neighbors, and the groups of all images are shuffled. So every valid pixel comes once per epoch, and the tiles of a
 /// step only depend on the photographs, the seed and the step.
 #[derive(Debug)]
@@ -110,7 +110,9 @@ impl Sampler {
         Epoch { number, first, groups }
     }
 
-    /// The cells of an image's grid that have a valid pixel, shifted at random, row by row.
+    /// The cells of an image's grid that have a valid pixel, shifted at random. So many neighbors as a group has are a compact
+    /// block: bands of rows go to the right and to the left in turns, and a band is as high as the square of a group's cells. Single
+    /// cells come row by row.
     fn grid(&self, camera: usize, image: &Photograph, random: &mut impl Rng) -> Vec<Tile> {
         let side = self.side as i32;
         let [(columns, x), (rows, y)] = sides(image, self.factor).map(|length| {
@@ -118,7 +120,12 @@ impl Sampler {
             let cells = cells(length, self.side);
             (cells, if cells > 1 { -shift } else { 0 })
         });
-        let cell = |row: u32, column: u32| [x + column as i32 * side, y + row as i32 * side];
+        let height = self.group.isqrt() as u32;
+        let along = |&[column, row]: &[u32; 2]| {
+            let band = row / height;
+            let is_reversed = self.group > 1 && band % 2 == 1;
+            (band, if is_reversed { columns - 1 - column } else { column }, row)
+        };
         let is_used = |&[x, y]: &[i32; 2]| {
             has_pixel(
                 image,
@@ -126,9 +133,12 @@ impl Sampler {
                 [[x, x.saturating_add(side)], [y, y.saturating_add(side)]],
             )
         };
-        (0..rows)
-            .flat_map(|row| (0..columns).map(move |column| (row, column)))
-            .map(|(row, column)| cell(row, column))
+        let mut cells: Vec<_> =
+            (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row])).collect();
+        cells.sort_by_key(along);
+        cells
+            .into_iter()
+            .map(|[column, row]| [x + column as i32 * side, y + row as i32 * side])
             .filter(is_used)
             .map(|origin| Tile { camera, origin })
             .collect()

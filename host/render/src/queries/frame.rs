@@ -63,8 +63,7 @@ impl Renderer {
                 let pairs = bins.pairs.count.upper_bound();
                 let intersections = bins.intersections.upper_bound();
                 for (&steps, all) in steps.iter().zip(&mut all) {
-                    let fields = std::iter::once(scene).chain(&scene.fields);
-                    for (field, needed) in fields.zip(&mut all[index * scenes..]) {
+                    for (field, needed) in scene.with_fields().zip(&mut all[index * scenes..]) {
                         let field = &field.with_ray_steps(steps.into());
                         let seen = bins.pairs.seen_by(field.cameras(&[camera])?);
                         let (_, first_sample) = segments(field, &seen)?;
@@ -108,7 +107,7 @@ impl Renderer {
         let plan = device.take_plan();
         let numbered = plan.buffers.iter().zip(plan.first_buffer..);
         let cameras = numbered.filter(|(buffer, _)| buffer.label == CAMERAS);
-        let seen = scene.all().flat_map(|scene| std::iter::once(scene).chain(&scene.fields));
+        let seen = scene.all().flat_map(DeviceScene::with_fields);
         let cameras = cameras.zip(seen).map(|((_, number), scene)| (number, scene.place)).collect();
         Ok(Frame { cameras, tiles, counts: number(counts), image, plan })
     }

@@ -63,6 +63,11 @@ impl DeviceScene {
         std::iter::once(self).chain(&self.beside)
     }
 
+    /// This scene, and the other scenes' fields with its Gaussians.
+    pub(crate) fn with_fields(&self) -> impl Iterator<Item = &Self> {
+        std::iter::once(self).chain(&self.fields)
+    }
+
     /// Cameras of the first scene, in this scene's coordinates, as kernels read them.
     pub(crate) fn cameras(&self, cameras: &[&Camera]) -> muslin_device::Result<Buffer<f32>> {
         let own = cameras.iter().map(|camera| self.place.own_camera(camera).for_kernels().pack());

@@ -153,10 +153,17 @@ impl Dataset {
     /// held out, starting with the first; 0 holds out none.
     pub fn from_frames(frames: Vec<Frame>, hold_out_every: usize) -> Self {
         let options = DatasetOptions { hold_out_every, ..Default::default() };
-        let (held_out, train) = (0..frames.len()).partition(|&index| options.holds_out(index));
-        let known = frames.iter().enumerate().map(|(index, frame)| {
-            (&*frame.name, &frame.camera, Lens::default(), options.holds_out(index))
-        });
+        Self::split(frames, |index| options.holds_out(index))
+    }
+
+    /// Like [`Self::from_frames`], with the frames held out for which `holds_out` is true.
+    #[must_use]
+    pub fn split(frames: Vec<Frame>, holds_out: impl Fn(usize) -> bool) -> Self {
+        let (held_out, train) = (0..frames.len()).partition(|&index| holds_out(index));
+        let known = frames
+            .iter()
+            .enumerate()
+            .map(|(index, frame)| (&*frame.name, &frame.camera, Lens::default(), holds_out(index)));
         let fingerprint = Fingerprint::new(known, &[]);
         let poses = frames.iter().map(|frame| frame.camera.camera_to_world).collect();
         Self { frames, train, held_out, fingerprint, poses, ..Self::default() }

@@ -51,8 +51,7 @@ pub fn part(
         frames.push(Frame { name, camera: Camera { file_path: None, ..camera.clone() }, image });
     }
     progress(poses.len(), poses.len());
-    let mut dataset = Dataset::from_frames(frames, data.hold_out_every);
-    (dataset.held_out, dataset.train) = (0..poses.len()).partition(|&at| poses[at].held_out);
+    let mut dataset = Dataset::split(frames, |at| poses[at].held_out);
     dataset.background = demo::BACKGROUND;
     Ok(dataset)
 }

@@ -79,9 +79,11 @@ pub fn fill(scene: &mut Scene, surroundings: &Surroundings) {
 
 /// Knots of a(d), from the depth of [`CLEAR`] on, evenly spaced in its logarithm.
 fn knots() -> Vec<(f32, f32)> {
-    let min = (-CLEAR).exp().ln_1p();
+    // release builds would compute all of this ahead, with other roundings
+    let [clear, ratio] = std::hint::black_box([CLEAR, KNOT_RATIO]);
+    let min = (-clear).exp().ln_1p();
     (0..KNOTS as i32)
-        .map(|knot| min * KNOT_RATIO.powi(knot))
+        .map(|knot| min * ratio.powi(knot))
         .map(|depth| (depth, -depth.exp_m1().ln()))
         .collect()
 }

@@ -24,8 +24,6 @@ pub struct CompositeBackwardParams {
     pub first_row: u32,
     /// Rows that it sums over: at most [`band_rows`].
     pub rows: u32,
-    /// 0 if the gradient of the colors is not needed.
-    pub colors: u32,
     /// See [`SplatParams::compensated_blur`](crate::splat::SplatParams::compensated_blur).
     pub compensated_blur: f32,
 }
@@ -232,10 +230,8 @@ pub fn composite_backward<L: Lane>(
             intersection_gradient.write(first, before + geometry);
             let before = intersection_gradient.read(first + 1);
             intersection_gradient.write(first + 1, before + shape.extend(0.0));
-            if params.colors != 0 {
-                let before = intersection_gradient.read(first + 2);
-                intersection_gradient.write(first + 2, before + (sum.color * weight).extend(0.0));
-            }
+            let before = intersection_gradient.read(first + 2);
+            intersection_gradient.write(first + 2, before + (sum.color * weight).extend(0.0));
         }
     }
 }

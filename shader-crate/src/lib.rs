@@ -2,7 +2,7 @@
 //!
 //! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`occupancy`], [`segment`], [`transmittance`], [`color`] (both with
 //! [`hash_grid`] and [`dense`]), [`splat`], [`tile_cells`], [`composite`], [`resolve`], [`pixels`]. Gradients run the other way, in the same
-//! files or those named `_backward`; [`loss`], [`ssim`], [`distortion`], [`exposure`] and [`adam`] are for training.
+//! files or those named `_backward`; [`loss`], [`ssim`], [`exposure`] and [`adam`] are for training.
 //! `docs/architecture.md` has the map.
 //!
 //! Rust-GPU compiles this crate to SPIR-V. The host compiles it too, to run kernels on the CPU and to dispatch them.
@@ -21,7 +21,6 @@ pub mod composite_backward;
 pub mod count;
 pub mod dense;
 pub mod dense_backward;
-pub mod distortion;
 pub mod exposure;
 pub mod hash_grid;
 pub mod hash_grid_backward;

@@ -43,6 +43,9 @@ pub const MAX_BAND: u32 = 57_600;
 /// Cameras of one part of a batch: [`project_backward`](crate::project_backward::project_backward) loops over them.
 pub const MAX_CAMERAS: u32 = 4_096;
 
+/// Photographs whose exposures are learned: [`exposure_center`](crate::exposure::exposure_center) loops over them.
+pub const MAX_PHOTOGRAPHS: u32 = 30_000;
+
 /// Samples of a slice that one invocation of
 /// [`dense_weight_backward`](crate::dense_backward::dense_weight_backward) adds up.
 pub const MAX_SLICE: u32 = 4_096;

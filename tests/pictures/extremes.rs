@@ -262,7 +262,6 @@ fn composite_backward(device: &Device, splat: [Vec4; 3], side: u32, gradient: &[
             side,
             first_row: 0,
             rows: side,
-            colors: 1,
             compensated_blur: 0.0,
         },
         tile: &device.upload("tile", &tile.pack()).expect("memory"),

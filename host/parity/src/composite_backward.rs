@@ -33,7 +33,6 @@ impl CompositeBackward {
                 side,
                 first_row: 0,
                 rows: side,
-                colors: 1,
                 compensated_blur: 0.0,
             },
             tile,
@@ -121,9 +120,6 @@ impl Parity for CompositeBackward {
         sets.push((format!("{rows} rows of 260"), wide.clone().band(0, rows)));
         sets.push((format!("the rest after {rows} rows"), wide.band(rows, 260 - rows)));
         let set = new(17, &[30, 33], 14);
-        let mut without_colors = set.clone();
-        without_colors.params.colors = 0;
-        sets.push(("without colors".into(), without_colors));
         sets.push(("compensated".into(), set.clone().compensated()));
         sets.push(("rows 3 to 9".into(), set.band(3, 7)));
         sets
@@ -133,7 +129,6 @@ impl Parity for CompositeBackward {
         let zero = Rounded::exact(0.0);
         let of = |index: usize| {
             let [x, y, weight, xx, xy, yy, r, g, b] = self.derivatives(index);
-            let [r, g, b] = if self.params.colors == 1 { [r, g, b] } else { [zero; 3] };
             [x, y, weight, zero, xx, xy, yy, zero, r, g, b, zero]
         };
         let before = self.intersection_gradient.iter().flat_map(Vec4::to_array);

@@ -1,26 +1,33 @@
-//! Cases of `expose` and `expose_backward`.
+//! Cases of `expose`, `expose_backward` and `exposure_center`.
 
 use muslin_check::prelude::*;
-use organza_shaders::exposure::{ExposeBackwardInputs, ExposeInputs, ExposureParams};
+use organza_shaders::exposure::{
+    ExposeBackwardInputs, ExposeBackwardParams, ExposeInputs, ExposeParams, ExposureCenterInputs,
+    ExposureCenterParams, STRIDE, VALUES,
+};
 
+use super::binned::{read_sums, write_sums};
 use super::loss::{TILES, sets};
 
-/// Gain and offset of a value's plane.
-fn gain_and_offset(exposure: &[f32], index: usize, side: u32) -> [Rounded; 2] {
-    let plane = index / (side * side) as usize;
-    [exposure[2 * plane].into(), exposure[2 * plane + 1].into()]
+/// The photographs of the tiles, of three.
+const PHOTOGRAPH: [u32; TILES as usize] = [2, 0, 2];
+
+/// The first value of a plane's exposure.
+fn place(plane: usize) -> usize {
+    (PHOTOGRAPH[plane / 3] * STRIDE) as usize + plane % 3 * 2
 }
 
 case!(pub Expose(ExposeInputs));
 
 impl Expose {
     fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
-        let planes = 3 * TILES as usize;
-        let pixels = planes * (side * side) as usize;
+        let planes = 3 * TILES;
+        let pixels = (planes * side * side) as usize;
         Self(ExposeInputs {
-            params: ExposureParams { planes: planes as u32, side },
-            image: fill.values(random, pixels, [0.0, 1.0], 1e18),
-            exposure: fill.values(random, 2 * planes, [-0.5, 2.0], 1e18),
+            params: ExposeParams { planes, side },
+            photograph: PHOTOGRAPH.to_vec(),
+            exposure: fill.values(random, 3 * STRIDE as usize, [-1.0, 1.0], 9.0),
+            image: fill.values(random, pixels, [0.0, 1.0], 1e15),
             exposed: unwritten(pixels),
         })
     }
@@ -32,36 +39,78 @@ impl Parity for Expose {
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
-        let [gain, offset] = gain_and_offset(&self.exposure, index, self.params.side);
-        Some(gain * self.image[index].into() + offset)
+        let place = place(index / (self.params.side * self.params.side) as usize);
+        let [log_gain, offset] = [0, 1].map(|at| Rounded::from(self.exposure[place + at]));
+        Some(log_gain.exp() * self.image[index].into() + offset)
     }
 }
 
-case!(pub ExposeBackward(ExposeBackwardInputs));
+case!(pub ExposeBackward(ExposeBackwardInputs) { before: Vec<f32> });
 
 impl Parity for ExposeBackward {
     fn sets() -> Vec<(String, Self)> {
         sets(|side, fill, random| {
-            let Expose(ExposeInputs { params, image, exposure, .. }) =
+            let Expose(ExposeInputs { photograph, exposure, image, .. }) =
                 Expose::new(side, fill, random);
-            let gradient = fill.values(random, image.len(), [-1.0, 1.0], 1e18);
-            let row_sum = unwritten(2 * (3 * TILES * side) as usize);
-            Self(ExposeBackwardInputs { params, image, exposure, gradient, row_sum })
+            let values = 3 * STRIDE;
+            let before: Vec<_> = (0..values).map(|value| value as f32 / 8.0 - 1.0).collect();
+            let inputs = ExposeBackwardInputs {
+                params: ExposeBackwardParams { rows: 3 * TILES * side, side, values },
+                gradient: fill.values(random, image.len(), [-1.0, 1.0], 1e15),
+                photograph,
+                exposure,
+                image,
+                sum: write_sums(&before),
+            };
+            Self { inputs, before }
         })
     }
 
-    /// `x' = gain x + offset`, so `dx'/dx = gain`, `dx'/dgain = x` and `dx'/doffset = 1`.
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
+        outputs[1] = Output::float("sum", read_sums(&outputs[1].words(), self.before.len()));
+        outputs
+    }
+
+    /// `x' = exp(a) x + b`, so `dx'/dx = exp(a)`, `dx'/da = exp(a) x` and `dx'/db = 1`.
     fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
+        let area = (self.params.side * self.params.side) as usize;
+        let gain = |plane: usize| Rounded::from(self.exposure[place(plane)]).exp();
         if output == "gradient" {
-            let [gain, _] = gain_and_offset(&self.exposure, index, self.params.side);
-            return Some(gain * self.gradient[index].into());
+            return Some(gain(index / area) * self.gradient[index].into());
         }
-        let side = self.params.side as usize;
-        let row = index / 2 * side;
-        let pixels = self.image[row..row + side].iter().zip(&self.gradient[row..]);
-        Some(Number::sum(pixels.map(|(&x, &slope)| {
-            let [x, slope] = [x, slope].map(Rounded::from);
-            if index.is_multiple_of(2) { slope * x } else { slope }
-        })))
+        let terms = (0..self.image.len()).filter_map(|at| {
+            let slope = Rounded::from(self.gradient[at]);
+            match index.checked_sub(place(at / area))? {
+                0 => Some(slope * self.image[at].into() * gain(at / area)),
+                1 => Some(slope),
+                _ => None,
+            }
+        });
+        Some(Number::sum(terms.chain([self.before[index].into()])))
+    }
+}
+
+case!(pub ExposureCenter(ExposureCenterInputs));
+
+impl Parity for ExposureCenter {
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|photographs, fill, random| {
+            let len = (photographs * STRIDE) as usize;
+            Self(ExposureCenterInputs {
+                params: ExposureCenterParams { photographs, values: VALUES },
+                exposure: fill.values(random, len, [-1.0, 1.0], 1e30),
+            })
+        })
+    }
+
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
+        let value = Rounded::from(self.exposure[index]);
+        let stride = STRIDE as usize;
+        if index % stride >= VALUES as usize {
+            return Some(value);
+        }
+        let all = self.exposure.iter().skip(index % stride).step_by(stride);
+        let sum: Rounded = Number::sum(all.map(|&value| value.into()));
+        Some(value - sum / (self.params.photographs as f32).into())
     }
 }

@@ -13,7 +13,6 @@ mod composite_backward;
 mod count;
 mod dense;
 mod dense_backward;
-mod distortion;
 pub mod exact;
 mod exposure;
 mod hash_grid;

@@ -7,7 +7,11 @@ struct type_5 {
     member: type_4,
 }
 
-struct type_11 {
+struct type_10 {
+    member: array<u32>,
+}
+
+struct type_15 {
     member: array<f32>,
 }
 
@@ -16,32 +20,36 @@ var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_3: type_5;
-@group(0) @binding(2) 
-var<storage> global_4: type_11;
 @group(0) @binding(1) 
-var<storage> global_5: type_11;
+var<storage> global_4: type_10;
+@group(0) @binding(2) 
+var<storage> global_5: type_15;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_11;
+var<storage> global_6: type_15;
+@group(0) @binding(4) 
+var<storage, read_write> global_7: type_15;
 
 fn function_() {
     switch bitcast<i32>(0u) {
         default: {
-            let _e12 = global;
-            let _e13 = global_1;
-            let _e14 = global_2;
-            let _e22 = (((_e13.x + (_e13.y * _e14.x)) * 64u) + _e12.x);
-            let _e25 = global_3.member.member_1;
-            let _e26 = (_e25 * _e25);
-            let _e29 = global_3.member.member;
-            if (_e22 < (_e29 * _e26)) {
-                if (_e26 == 0u) {
+            let _e14 = global;
+            let _e15 = global_1;
+            let _e16 = global_2;
+            let _e24 = (((_e15.x + (_e15.y * _e16.x)) * 64u) + _e14.x);
+            let _e27 = global_3.member.member_1;
+            let _e28 = (_e27 * _e27);
+            let _e31 = global_3.member.member;
+            if (_e24 < (_e31 * _e28)) {
+                if (_e28 == 0u) {
                     break;
                 }
-                let _e34 = ((_e22 / _e26) * 2u);
-                let _e37 = global_4.member[_e34];
-                let _e40 = global_5.member[_e22];
-                let _e45 = global_4.member[(_e34 + 1u)];
-                global_6.member[_e22] = ((_e37 * _e40) + _e45);
+                let _e35 = (_e24 / _e28);
+                let _e39 = global_4.member[(_e35 / 3u)];
+                let _e43 = ((_e39 * 64u) + ((_e35 % 3u) * 2u));
+                let _e46 = global_5.member[_e43];
+                let _e50 = global_6.member[_e24];
+                let _e55 = global_5.member[(_e43 + 1u)];
+                global_7.member[_e24] = ((exp(_e46) * _e50) + _e55);
             }
             break;
         }

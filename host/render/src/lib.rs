@@ -25,13 +25,12 @@ mod stages;
 #[cfg(test)]
 mod tests;
 
-pub use gradient::{POSE, SceneGradient, TensorGradient};
+pub use gradient::{BinnedGradient, POSE, SceneGradient, TensorGradient};
 pub use loss::compare::BatchLoss;
-pub use loss::exposure::ExposureGradient;
 pub use loss::image::{
     LossInputs, LossOutput, LossTarget, Photographs, TileImages, TileLoss, image_loss,
 };
-pub use loss::own::{DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss};
+pub use loss::own::{LossBatch, LossGradient, OwnLoss};
 pub use pass::loss_gradient::QueuedLoss;
 pub use pass::renderer::Renderer;
 pub use pass::tape::Tape;
@@ -46,7 +45,6 @@ pub use scene::device_scene::DeviceScene;
 pub use scene::occupancy::OCCUPANCY;
 pub use scene::options::UploadOptions;
 pub use scene::packed::{pack, replace_gaussians, unpack, upload};
-pub use stages::composite::CompositedTerm;
 pub use stages::counts::Capacity;
 pub use stages::transmittance::Ray;
 

@@ -4,10 +4,7 @@ use std::fmt;
 
 use muslin_device::Device;
 use organza_core::error::Result;
-use organza_render::{
-    DeviceLossBatch, DeviceLossGradient, DeviceScene, LossBatch, LossGradient, OwnLoss,
-    SceneGradient,
-};
+use organza_render::{DeviceScene, LossBatch, LossGradient, OwnLoss, SceneGradient};
 
 /// Functions that [`Trainer::step_with`](super::Trainer::step_with) calls. By default there are none: the settings
 /// give the loss, and Adam uses its gradient unchanged. Ranks that share a training have the same hooks.
@@ -81,27 +78,14 @@ impl<'h> StepHooks<'h> {
         Self::default()
     }
 
-    /// Sets a loss on the host: a function of the rendered tiles Y `[K, 3, S, S]` and of the photographs behind them.
+    /// Sets a loss: a function of the rendered tiles Y `[K, 3, S, S]` and of the photographs behind them.
     /// It returns the loss and `grad_tiles`, dL/dY.
     ///
     /// It sees all tiles of a step at once, also other ranks' tiles. If exposures are learned, tiles have the exposure of
     /// their photographs.
     #[must_use]
     pub fn loss(mut self, loss: impl FnMut(&LossBatch<'_>) -> Result<LossGradient> + 'h) -> Self {
-        self.loss = Some(OwnLoss::Host(Box::new(loss)));
-        self
-    }
-
-    /// Sets a loss on the device. It is like [`StepHooks::loss`], but tiles and dL/dY stay in the device's buffers.
-    ///
-    /// If a batch does not fit into memory at once, the function is called for one part after the other, and each rank
-    /// calls it for its own tiles. So the loss must be a sum over tiles.
-    #[must_use]
-    pub fn device_loss(
-        mut self,
-        loss: impl FnMut(&DeviceLossBatch<'_>) -> Result<DeviceLossGradient> + 'h,
-    ) -> Self {
-        self.loss = Some(OwnLoss::Device(Box::new(loss)));
+        self.loss = Some(Box::new(loss));
         self
     }
 

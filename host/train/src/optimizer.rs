@@ -5,7 +5,7 @@ use organza_shaders::adam::{AdamKernel, AdamParams};
 use super::config::{EPSILON, OptimizerConfig};
 use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
-use organza_core::scene::{FieldTensors, GaussianTensors, Gaussians, Scene, Tensors};
+use organza_core::scene::{GaussianTensors, Gaussians, Scene, Tensors};
 use organza_render::{
     DeviceScene, SceneGradient, TensorGradient, pack, replace_gaussians, unpack, upload,
 };
@@ -59,31 +59,37 @@ impl Optimizer {
         config: &OptimizerConfig,
         now: (u32, f64),
     ) -> Result<()> {
-        let mut adam = Adam::new(device, config, gradient, &self.always, now, scene.extent());
-        if !gradient.has_transmittance {
-            adam.keep_transmittance();
-        }
+        let adam = self.adam(device, config, gradient);
+        let updates = updates(config, gradient.has_transmittance, now, scene.extent());
         let [first, second] = self.moments.each_ref().map(Tensors::as_ref);
         let tensors = scene.tensors().as_ref().zip(gradient.tensors().as_ref());
-        let all = tensors.zip(adam.updates).zip(first.zip(second));
+        let all = tensors.zip(updates).zip(first.zip(second));
         all.try_map(|_, ((tensor, update), moments)| adam.step(tensor, update, moments))?;
         Ok(())
+    }
+
+    /// A step, of further tensors than the scene's.
+    pub fn adam<'a>(
+        &'a self,
+        device: &'a Device,
+        config: &'a OptimizerConfig,
+        gradient: &'a SceneGradient,
+    ) -> Adam<'a> {
+        Adam { device, config, gradient, always: &self.always }
     }
 }
 
 /// One step of Adam.
-struct Adam<'a> {
-    device: &'a Device,
+pub struct Adam<'a> {
+    pub device: &'a Device,
     config: &'a OptimizerConfig,
-    gradient: &'a SceneGradient,
+    pub gradient: &'a SceneGradient,
     always: &'a Buffer<u32>,
-    /// What each tensor's update has of its own; `None` for tensors that stay as they are.
-    updates: Tensors<Option<Update>>,
 }
 
 /// What the update of one tensor has of its own.
 #[derive(Clone, Copy)]
-struct Update {
+pub struct Update {
     /// Learning rate, corrected for the first moment's start at zero.
     rate: f64,
     /// The same for the root of the second moment.
@@ -94,7 +100,7 @@ struct Update {
 
 impl Update {
     /// `updates` is the number of the tensor's updates before this one.
-    fn new(config: &OptimizerConfig, rate: f64, updates: u32) -> Self {
+    pub fn new(config: &OptimizerConfig, rate: f64, updates: u32) -> Self {
         let t = f64::from(updates) + 1.0;
         let correction1 = 1.0 / (1.0 - config.beta1.powf(t));
         let correction2 = (1.0 / (1.0 - config.beta2.powf(t))).sqrt();
@@ -102,35 +108,31 @@ impl Update {
     }
 }
 
-impl<'a> Adam<'a> {
-    fn new(
-        device: &'a Device,
-        config: &'a OptimizerConfig,
-        gradient: &'a SceneGradient,
-        always: &'a Buffer<u32>,
-        (step, fraction): (u32, f64),
-        extent: f64,
-    ) -> Self {
-        let mut rates = config.rates().map(|_, rate| config.rate_at(rate, fraction));
-        rates.gaussians.position *= extent;
-        let decay = rates.transmittance.grid * config.transmittance_decay;
-        let mut updates = rates.map(|_, rate| Some(Update::new(config, rate, step)));
-        let of_transmittance =
-            |rate| Some(Update::new(config, rate, step / config.transmittance_every));
-        updates.gaussians.extra = of_transmittance(rates.gaussians.extra);
-        updates.transmittance.network = of_transmittance(rates.transmittance.network);
-        updates.transmittance.grid = of_transmittance(rates.transmittance.grid)
-            .map(|update| Update { kept: 1.0 - decay, ..update });
-        Self { device, config, gradient, always, updates }
-    }
+/// The update of each tensor of a scene; `None` for T's if they stay as they are.
+fn updates(
+    config: &OptimizerConfig,
+    has_transmittance: bool,
+    (step, fraction): (u32, f64),
+    extent: f64,
+) -> Tensors<Option<Update>> {
+    let mut rates = config.rates().map(|_, rate| config.rate_at(rate, fraction));
+    rates.gaussians.position *= extent;
+    let kept = 1.0 - rates.transmittance.grid * config.transmittance_decay;
+    let mut updates = rates.map(|_, rate| Some(Update::new(config, rate, step)));
+    let of_transmittance = |rate| {
+        let updates = step / config.transmittance_every;
+        has_transmittance.then(|| Update::new(config, rate, updates))
+    };
+    updates.gaussians.extra = of_transmittance(rates.gaussians.extra);
+    updates.transmittance.network = of_transmittance(rates.transmittance.network);
+    updates.transmittance.grid =
+        of_transmittance(rates.transmittance.grid).map(|update| Update { kept, ..update });
+    updates
+}
 
-    /// Leaves the tensors of T as they are.
-    fn keep_transmittance(&mut self) {
-        self.updates.gaussians.extra = None;
-        self.updates.transmittance = FieldTensors::default();
-    }
-
-    fn step(
+impl Adam<'_> {
+    /// Moves a tensor, and clears its gradient. Nothing happens without an update.
+    pub fn step(
         &self,
         (value, gradient): (&Buffer<f32>, &TensorGradient),
         update: Option<Update>,

@@ -3,30 +3,35 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use organza_shaders::exposure::{self, ExposureCenterKernel, ExposureCenterParams, STRIDE};
+use organza_shaders::limits::MAX_PHOTOGRAPHS;
 use serde::{Deserialize, Serialize};
 
 use super::config::{EPSILON, OptimizerConfig};
+use super::optimizer::{Adam, Update};
+use muslin_device::{Buffer, Device};
+use organza_core::error::argument;
 use organza_core::scene::Tensor;
 use organza_core::{Error, Result, TileBatch};
-use organza_render::ExposureGradient;
+use organza_render::TensorGradient;
 
 /// Prefix of the values' name in a checkpoint.
 pub(super) const VALUES_PREFIX: &str = "train.";
 
 /// Number of learned values per photograph.
-pub const VALUES: usize = 6;
+pub const VALUES: usize = exposure::VALUES as usize;
 
 /// Learned values of all training photographs, with Adam's state.
 ///
-/// A step only changes the values of photographs in its batch, and each photograph counts its own steps. So a
-/// photograph's moments do not decay in other steps.
+/// A step only changes the values of photographs in its batch: moments do not decay in other steps. Exposures, whose values are on the
+/// device, follow the run's number of steps; for poses, each photograph counts its own.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PerPhotograph {
     /// Learned values, `[photographs, 6]`.
     pub values: Vec<[f32; VALUES]>,
     /// Adam's moments of `values`.
     pub moments: [Vec<[f32; VALUES]>; 2],
-    /// Number of steps that showed each photograph, `[photographs]`.
+    /// Number of steps that showed each photograph, `[photographs]`; empty for exposures.
     pub steps: Vec<u32>,
 }
 
@@ -75,7 +80,7 @@ impl PerPhotograph {
     }
 
     /// Tensors for a checkpoint: the values with their shape `[photographs, ..]`, Adam's moments, and the steps.
-    /// Steps are whole numbers, which f32 represents up to 2^24.
+    /// Steps are whole numbers, which f32 represents up to 2^24; exposures have none.
     pub(super) fn tensors(&self, name: &str, shape: &[usize]) -> Vec<(String, Tensor)> {
         let count = self.values.len();
         let [first, second] = &self.moments;
@@ -85,7 +90,8 @@ impl PerPhotograph {
         });
         let steps = self.steps.iter().map(|&steps| steps as f32).collect();
         let steps = Tensor { shape: vec![count], data: steps };
-        names(name).into_iter().zip(values.into_iter().chain([steps])).collect()
+        let steps = (!self.steps.is_empty()).then_some(steps);
+        names(name).into_iter().zip(values.into_iter().chain(steps)).collect()
     }
 
     /// Reads the values from a checkpoint's tensors, if it has any. Errors name `origin`.
@@ -107,7 +113,8 @@ impl PerPhotograph {
         let lengths = [&values, &first, &second].map(Vec::len);
         let is_count =
             |steps: &f32| *steps >= 0.0 && *steps <= 16_777_216.0 && steps.fract() == 0.0;
-        if lengths != [VALUES * steps.len(); 3] || !steps.iter().all(is_count) {
+        let is_whole = steps.is_empty() || lengths[0] == VALUES * steps.len();
+        if lengths != [lengths[0]; 3] || !is_whole || !steps.iter().all(is_count) {
             let reason = format!(
                 "its tensors `{}` do not belong together: the checkpoint is damaged",
                 names.join("`, `")
@@ -131,90 +138,88 @@ pub(super) fn names(name: &str) -> [String; 4] {
         .map(|prefix| format!("{prefix}{name}"))
 }
 
-/// The exposures of all training photographs.
-///
-/// The values of a photograph are, for red, green and blue, the logarithm a of the gain and the offset b. A rendered
-/// color x is compared as `exp(a) x + b`. A darker scene with larger gains would look the same. So the means of a and
-/// b over all photographs are kept at 0: on average, a photograph shows the scene's own colors.
-#[derive(Clone, Debug)]
-pub(super) struct Exposures(pub PerPhotograph);
-
-impl Exposures {
-    /// Gain and offset of each channel for a batch's tiles: `[K, 3, 2]`.
-    pub fn tile_values(&self, batch: &TileBatch) -> Vec<f32> {
-        let of = |camera: usize| {
-            let [r, r0, g, g0, b, b0] = self.0.values[camera];
-            [gain(r), r0, gain(g), g0, gain(b), b0]
-        };
-        batch.tiles.iter().flat_map(|tile| of(tile.camera)).collect()
-    }
-
-    /// Takes one step of Adam with the gradients of a batch's tiles, in the order of the tiles.
-    pub fn step(
-        &mut self,
-        tiles: &[ExposureGradient],
-        config: &OptimizerConfig,
-        rate: f64,
-    ) -> Result<()> {
-        let mut sums: BTreeMap<usize, [f64; VALUES]> = BTreeMap::new();
-        for tile in tiles {
-            let sum = sums.entry(tile.camera).or_default();
-            for (channel, [by_gain, by_offset]) in tile.gradient.into_iter().enumerate() {
-                // the derivative of exp(a) is exp(a)
-                let gain = f64::from(gain(self.0.values[tile.camera][2 * channel]));
-                sum[2 * channel] += by_gain * gain;
-                sum[2 * channel + 1] += by_offset;
-            }
-        }
-        self.0.adam(&sums, config, [rate; VALUES], "exposure")?;
-        self.center();
-        Ok(())
-    }
-
-    /// Shifts all values so that their means are 0.
-    fn center(&mut self) {
-        let count = self.0.values.len() as f64;
-        for at in 0..VALUES {
-            let mean =
-                self.0.values.iter().map(|values| f64::from(values[at])).sum::<f64>() / count;
-            for values in &mut self.0.values {
-                values[at] = (f64::from(values[at]) - mean) as f32;
-            }
-        }
-    }
+/// The exposures of all training photographs, on the device: see [`organza_shaders::exposure`]. Adam leaves photographs that a step
+/// does not show as they are.
+#[derive(Debug)]
+pub(super) struct Exposures {
+    /// `[photographs, STRIDE]`
+    pub values: Buffer<f32>,
+    moments: [Buffer<f32>; 2],
+    photographs: u32,
 }
 
-/// Computed in f64: its exponential is the same in every program on one machine.
-fn gain(log: f32) -> f32 {
-    f64::from(log).exp() as f32
+impl Exposures {
+    /// # Errors
+    /// [`Error::Argument`] if there are too many photographs; the same errors as [`Device::upload`].
+    pub fn new(device: &Device, learned: &PerPhotograph) -> Result<Self> {
+        let photographs = learned.values.len() as u32;
+        if photographs > MAX_PHOTOGRAPHS {
+            return argument(format!(
+                "exposures of {photographs} photographs cannot be learned, only of {MAX_PHOTOGRAPHS}: use `exposure.learn=off`"
+            ));
+        }
+        let upload = |rows: &Vec<[f32; VALUES]>| {
+            let mut padded = vec![0.0; rows.len() * STRIDE as usize];
+            let places = padded.chunks_exact_mut(STRIDE as usize);
+            places.zip(rows).for_each(|(place, row)| place[..VALUES].copy_from_slice(row));
+            device.upload("exposures", &padded)
+        };
+        let [first, second] = &learned.moments;
+        let moments = [upload(first)?, upload(second)?];
+        Ok(Self { values: upload(&learned.values)?, moments, photographs })
+    }
+
+    /// The values as they are now.
+    pub fn read(&self, device: &Device) -> Result<PerPhotograph> {
+        let read = |buffer: &Buffer<f32>| -> Result<Vec<[f32; VALUES]>> {
+            let rows = device.read(buffer)?;
+            let row = |row: &[f32]| std::array::from_fn(|at| row[at]);
+            Ok(rows.chunks_exact(STRIDE as usize).map(row).collect())
+        };
+        let [first, second] = &self.moments;
+        let moments = [read(first)?, read(second)?];
+        Ok(PerPhotograph { values: read(&self.values)?, moments, steps: Vec::new() })
+    }
+
+    /// Takes one step of Adam for the photographs of a batch, and shifts all values so that their means are 0.
+    pub fn step(&self, adam: &Adam<'_>, batch: &TileBatch, update: Update) -> Result<()> {
+        let mut touched = vec![0; self.photographs as usize];
+        batch.tiles.iter().for_each(|tile| touched[tile.camera] = 1);
+        let touched = adam.device.upload("photographs of a step", &touched)?;
+        let sums = adam.gradient.exposures.as_ref().expect("a gradient with exposures");
+        let gradient = TensorGradient::whole(sums.values.clone(), Some(touched));
+        let [first, second] = &self.moments;
+        adam.step((&self.values, &gradient), Some(update), (first, second))?;
+        let values = VALUES as u32;
+        let kernel = ExposureCenterKernel {
+            params: ExposureCenterParams { photographs: self.photographs, values },
+            exposure: &self.values,
+        };
+        Ok(adam.device.run(&kernel.counted(&adam.gradient.unless_failed(values)), values, 1)?)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn gradient(camera: usize, value: f64) -> ExposureGradient {
-        ExposureGradient { place: 0, camera, gradient: [[value, -value]; 3] }
-    }
-
     #[test]
-    fn adam_moves_by_its_rate_and_the_mean_stays() {
-        let mut exposures = Exposures(PerPhotograph::new(4));
+    fn adam_moves_what_is_shown_by_its_rate() {
+        let mut learned = PerPhotograph::new(3);
         let config = OptimizerConfig::default();
+        let mut step = |photograph: usize, gradient: f64| {
+            let gradients = BTreeMap::from([(photograph, [gradient; VALUES])]);
+            learned.adam(&gradients, &config, [0.01; VALUES], "pose").map(|()| learned.clone())
+        };
         // Adam's first step has the size of the rate, for any size of the gradient
-        exposures.step(&[gradient(1, 3e-5), gradient(1, 1e-5)], &config, 0.01).unwrap();
-        for (photograph, share) in [(0, 0.25), (1, -0.75), (2, 0.25), (3, 0.25)] {
-            for channel in 0..3 {
-                let found = [0, 1].map(|part| exposures.0.values[photograph][2 * channel + part]);
-                let expected = [0.01 * share, -0.01 * share];
-                let is_near = |(a, b): (f32, f32)| (a - b).abs() < 1e-6;
-                assert!(found.into_iter().zip(expected).all(is_near), "{photograph}: {found:?}");
-            }
+        let moved = step(1, 3e-5).unwrap();
+        for (photograph, expected) in [(0, 0.0), (1, -0.01), (2, 0.0)] {
+            let is_near = |value: &f32| (value - expected).abs() < 1e-6;
+            assert!(moved.values[photograph].iter().all(is_near), "{photograph}: {moved:?}");
         }
-        assert_eq!(exposures.0.steps, [0, 1, 0, 0]);
-        let before = exposures.0.clone();
-        let error = exposures.step(&[gradient(2, f64::NAN)], &config, 0.01).unwrap_err();
+        assert_eq!(moved.steps, [0, 1, 0]);
+        let error = step(2, f64::NAN).unwrap_err();
         assert!(error.to_string().contains("photograph 2"), "{error}");
-        assert_eq!(exposures.0, before);
+        assert_eq!(learned, moved);
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::coarse::{Batches, Drawn};
 use super::densification::{DensificationStats, Population, densify};
-use super::optimizer::Optimizer;
+use super::optimizer::{Optimizer, Update};
 use super::per_photograph::Exposures;
 use super::photographs::{ResidentPhotographs, StepPhotographs};
 use super::pose::PoseSet;
@@ -22,8 +22,7 @@ use organza_core::scene::Gaussians;
 use organza_core::{Camera, Error, Result, metrics};
 use organza_data::Dataset;
 use organza_render::{
-    BatchLoss, DeviceScene, ExposureGradient, LossTarget, QueuedLoss, Renderer, SceneGradient,
-    TileLoss,
+    BatchLoss, DeviceScene, LossTarget, QueuedLoss, Renderer, SceneGradient, TileLoss,
 };
 
 /// Trains a scene, step by step. Everything that a step changes stays on the device.
@@ -121,7 +120,10 @@ impl Trainer {
         let batches = Batches::new(&frames, &config.run)?;
         let exposures = match config.exposure.learn.decide(&dataset) {
             false => None,
-            true => Some(Exposures(checkpoint.exposures_of(cameras.len())?)),
+            true => {
+                let learned = checkpoint.exposures_of(cameras.len())?;
+                Some(Exposures::new(renderer.device(), &learned)?)
+            }
         };
         let poses = match config.poses.refine {
             false => None,
@@ -130,7 +132,13 @@ impl Trainer {
         if let Some(poses) = &poses {
             cameras = poses.cameras();
         }
-        let state = TrainerState::new(renderer, &config, checkpoint, cameras.len())?;
+        let mut state = TrainerState::new(renderer, &config, checkpoint)?;
+        if poses.is_some() {
+            state.gradient = state.gradient.with_poses(renderer.device(), cameras.len())?;
+        }
+        if exposures.is_some() {
+            state.gradient = state.gradient.with_exposures(renderer.device(), cameras.len())?;
+        }
         // after the scene, which must fit
         let photographs = ResidentPhotographs::new(renderer.device(), &frames)?;
         let renderer = renderer.clone();
@@ -235,7 +243,7 @@ impl Trainer {
             scene: state.scene.download(device)?,
             moments: state.optimizer.moments(device, &state.scene)?,
             statistics: state.statistics(device)?,
-            exposures: self.exposures.as_ref().map(|exposures| exposures.0.clone()),
+            exposures: self.exposures.as_ref().map(|values| values.read(device)).transpose()?,
             poses: self.poses.as_ref().map(|poses| poses.learned.clone()),
             progress: Progress { step: self.step, seconds },
         })
@@ -265,7 +273,7 @@ impl Trainer {
     /// Goes on by one step. Returns the reports of the steps that are finished, in their order.
     ///
     /// On a GPU, steps are queued: the host prepares the next one while the GPU works, and reads the losses of a step `ahead`
-    /// steps later. It waits in every step for ranks, hooks, poses and exposures, whose numbers the next step needs, and where
+    /// steps later. It waits in every step for ranks, hooks and poses, whose numbers the next step needs, and where
     /// [`Renderer::queue_loss_gradient`] says so. On a CPU, nothing is queued. The bits of the scene are the same.
     ///
     /// # Errors
@@ -275,7 +283,6 @@ impl Trainer {
         let waits = !self.renderer.device().has_indirect_counts()
             || self.ranks.is_some()
             || self.poses.is_some()
-            || self.exposures.is_some()
             || hooks.loss.is_some()
             || hooks.gradient.is_some();
         let queued = if waits { Ok(None) } else { self.queue(&drawn) };
@@ -347,7 +354,7 @@ impl Trainer {
     fn finished_step(&mut self, drawn: &Drawn, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         self.state.set_transmittance(self.config.learns_transmittance(self.step));
         let rollback = |trainer: &Self| trainer.state.gradient.rollback(trainer.renderer.device());
-        let (report, exposures) = self.add_gradient(drawn, hooks)?;
+        let report = self.add_gradient(drawn, hooks)?;
         report.check(self.step).inspect_err(|_| rollback(self))?;
         let device = self.renderer.device();
         let TrainerState { scene, gradient, .. } = &self.state;
@@ -357,11 +364,6 @@ impl Trainer {
         }
         let done = self.config.run.fraction(self.step);
         let settings = &self.config.optimizer;
-        if let Some(learned) = &mut self.exposures {
-            let rate = settings.rate_at(settings.exposure, done);
-            let moved = learned.step(&exposures, settings, rate);
-            moved.inspect_err(|_| gradient.rollback(device))?;
-        }
         if let Some(poses) = &mut self.poses {
             let found = gradient.read_poses(device)?;
             let shown = drawn.batch.tiles.iter().map(|tile| tile.camera);
@@ -371,7 +373,7 @@ impl Trainer {
             gradient.clear_poses(device);
             self.cameras = poses.cameras();
         }
-        self.optimize()?;
+        self.optimize(drawn)?;
         // a GPU moves the scene while the host draws the next tiles
         self.renderer.device().submit();
         self.step += 1;
@@ -389,18 +391,28 @@ impl Trainer {
             self.renderer.queue_loss_gradient(scene, cameras, &drawn.batch, target, gradient)
         })?;
         let Some(loss) = loss else { return Ok(None) };
-        self.optimize()?;
+        self.optimize(drawn)?;
         let values = device.read_later(loss.buffers())?;
         Ok(Some((loss, values)))
     }
 
-    /// Moves the scene by its gradient, which is zero afterward.
-    fn optimize(&self) -> Result<()> {
+    /// Moves the scene, and the exposures of a step's photographs, by their gradients, which are zero afterward.
+    fn optimize(&self, drawn: &Drawn) -> Result<()> {
         let device = self.renderer.device();
         let TrainerState { scene, optimizer, gradient } = &self.state;
-        let now = (self.step, self.config.run.fraction(self.step));
+        let done = self.config.run.fraction(self.step);
         let settings = &self.config.optimizer;
-        device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
+        let exposures = self.exposures.as_ref();
+        let step = self.step;
+        let moved = device.run_in_pool(|| {
+            if let Some(exposures) = exposures {
+                let adam = optimizer.adam(device, settings, gradient);
+                let rate = settings.rate_at(settings.exposure, done);
+                exposures.step(&adam, &drawn.batch, Update::new(settings, rate, step))?;
+            }
+            optimizer.step(device, scene, gradient, settings, (step, done))
+        });
+        moved.inspect_err(|_| gradient.rollback(device))?;
         gradient.clear_touched(device);
         scene.update_occupancy(device)
     }
@@ -414,23 +426,17 @@ impl Trainer {
         let frames: Vec<_> = self.dataset.train_frames().collect();
         let Drawn { batch, factor, .. } = drawn;
         let factor = *factor;
-        let exposure = self.exposures.as_ref().map(|exposures| exposures.tile_values(batch));
         let resident = self.photographs.as_ref();
         use_target(&LossTarget {
             photographs: &StepPhotographs { resident, frames: &frames, batch, factor },
             valid_pixels: valid_pixels(batch, factor, &frames) as f64,
             ssim_weight: self.config.loss.ssim_weight,
-            terms: &self.config.loss.terms(),
-            exposure: exposure.as_deref(),
+            exposure: self.exposures.as_ref().map(|exposures| &exposures.values),
         })
     }
 
-    /// Adds the gradient of a batch's loss; returns what it measured, and the gradients of the exposures.
-    fn add_gradient(
-        &self,
-        drawn: &Drawn,
-        hooks: &mut StepHooks<'_>,
-    ) -> Result<(StepReport, Vec<ExposureGradient>)> {
+    /// Adds the gradient of a batch's loss; returns what it measured.
+    fn add_gradient(&self, drawn: &Drawn, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         let TrainerState { scene, gradient, .. } = &self.state;
         let cameras = &drawn.cameras(&self.cameras);
         let scene = &scene.coarser(drawn.factor, drawn.ray_steps);
@@ -440,8 +446,7 @@ impl Trainer {
             let batch = &drawn.batch;
             self.renderer.add_loss_gradient(scene, cameras, batch, target, own, gradient, ranks)
         })?;
-        let report = StepReport::new(self.step + 1, self.scene().len(), &found);
-        Ok((report, found.exposures))
+        Ok(StepReport::new(self.step + 1, self.scene().len(), &found))
     }
 
     /// The report of the last step, with the change of the Gaussians if it is time for one.
@@ -542,23 +547,15 @@ pub(super) struct TrainerState {
 }
 
 impl TrainerState {
-    /// The state of a checkpoint, with values for each of the photographs.
-    pub fn new(
-        renderer: &Renderer,
-        config: &TrainConfig,
-        checkpoint: &Checkpoint,
-        photographs: usize,
-    ) -> Result<Self> {
+    /// The state of a checkpoint, without what is learned of each photograph.
+    pub fn new(renderer: &Renderer, config: &TrainConfig, checkpoint: &Checkpoint) -> Result<Self> {
         let device = renderer.device();
         let mut scene = renderer.upload(&checkpoint.scene)?;
         if !config.ablation.divide {
             scene.never_divide();
         }
         let optimizer = Optimizer::new(device, &checkpoint.moments)?;
-        let mut gradient = SceneGradient::new(device, &scene)?;
-        if config.poses.refine {
-            gradient = gradient.with_poses(device, photographs)?;
-        }
+        let gradient = SceneGradient::new(device, &scene)?;
         let state = Self { scene, optimizer, gradient };
         state.write_statistics(device, &checkpoint.statistics)?;
         Ok(state)

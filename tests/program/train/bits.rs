@@ -123,6 +123,7 @@ fn on_a_card() -> Option<(Renderer, impl Fn(&Renderer) -> Trainer)> {
     let (mut config, checkpoint, dataset) = begun();
     // the number of Gaussians changes at steps 10 and 20
     config.run.steps = 40;
+    config.exposure.learn = LearnExposure::On;
     let options = DeviceOptions::gpu(SpirvPath::Passthrough).like_a_card(true);
     let renderer = Renderer::new(organza::open_device(&options).expect("a GPU"));
     let trainer = move |renderer: &Renderer| {
@@ -165,7 +166,8 @@ fn steps_in_flight_have_the_bits_of_single_steps() {
     let mut losses = Vec::new();
     for _ in 0..STEPS {
         losses.push(one_by_one.step().expect("a step").loss);
-        states.push(state_bits(&one_by_one.checkpoint(0.0).expect("a state")));
+        let state = one_by_one.checkpoint(0.0).expect("a state");
+        states.push((state_bits(&state), state.exposures.expect("exposures")));
     }
     for ahead in [0, 1, 2, 5] {
         let mut trainer = trainer(&renderer);
@@ -184,8 +186,9 @@ fn steps_in_flight_have_the_bits_of_single_steps() {
             if step % 7 == 6 || step + 1 == STEPS {
                 renderer.device().refuse_one(0);
                 reports.extend(trainer.finish_steps().expect("steps"));
-                let found = state_bits(&trainer.checkpoint(0.0).expect("a state"));
-                assert!(&found == expected, "step {step}, {ahead} ahead");
+                let found = trainer.checkpoint(0.0).expect("a state");
+                assert!(state_bits(&found) == expected.0, "step {step}, {ahead} ahead");
+                assert_eq!(found.exposures.expect("exposures"), expected.1, "step {step}");
             }
         }
         let found: Vec<_> = reports.iter().map(|report| report.loss).collect();

@@ -9,7 +9,8 @@ use std::sync::Arc;
 use glam::Vec4;
 use muslin::binned::ROWS;
 use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
-use organza_shaders::count::{ALL, COUNTS};
+use organza_shaders::count::ALL;
+use organza_shaders::exposure::STRIDE;
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 use organza_shaders::pose_backward;
 
@@ -17,6 +18,7 @@ use self::hash_grid::HashGridGradient;
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::field::DeviceField;
 use crate::scene::packed::unpack;
+use crate::stages::counts::NO_COUNTS;
 use muslin_device::{Buffer, Count, Device};
 use organza_core::error::{Error, Result, argument};
 use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
@@ -27,13 +29,6 @@ pub const POSE: usize = pose_backward::VALUES as usize;
 /// The tensors whose gradients `project_backward` adds to one buffer, in this order, which is also the table's.
 pub const GEOMETRY: [&str; 4] =
     ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
-
-/// Counts of queued batches, before one fails.
-const NO_FAILURE: [u32; COUNTS as usize] = {
-    let mut counts = [0; COUNTS as usize];
-    counts[ALL as usize] = u32::MAX;
-    counts
-};
 
 /// Gradients of all tensors of a scene; kernels add to them.
 #[derive(Debug)]
@@ -51,6 +46,8 @@ pub struct SceneGradient {
     pub has_transmittance: bool,
     /// The gradients of the cameras' poses, where they are wanted.
     pub(crate) poses: Option<BinnedGradient>,
+    /// The gradients of the photographs' exposures `[photographs, STRIDE]`, where they are wanted.
+    pub exposures: Option<BinnedGradient>,
     /// `[COUNTS]`: of batches that the host does not wait for.
     pub(crate) counts: Arc<Buffer<u32>>,
 }
@@ -87,14 +84,19 @@ impl SceneGradient {
         Self::with_fields(device, scene, color, transmittance)
     }
 
-    /// The gradient of the Gaussians that the scene has now, which is zero. The gradient of the fields and poses stays.
+    /// The gradient of the Gaussians that the scene has now, which is zero. The other gradients stay.
     ///
     /// # Errors
     /// The same errors as [`Device::zeros`].
     pub fn replace_gaussians(&mut self, device: &Device, scene: &DeviceScene) -> Result<()> {
-        let Self { color, transmittance, has_transmittance, poses, .. } = self;
+        let Self { color, transmittance, has_transmittance, .. } = &*self;
         let gradient = Self::with_fields(device, scene, color.clone(), transmittance.clone())?;
-        *self = Self { has_transmittance: *has_transmittance, poses: poses.take(), ..gradient };
+        *self = Self {
+            has_transmittance: *has_transmittance,
+            poses: self.poses.take(),
+            exposures: self.exposures.take(),
+            ..gradient
+        };
         Ok(())
     }
 
@@ -130,7 +132,8 @@ impl SceneGradient {
             transmittance,
             has_transmittance: true,
             poses: None,
-            counts: Arc::new(device.upload("counts of queued batches", &NO_FAILURE)?),
+            exposures: None,
+            counts: Arc::new(device.upload("counts of queued batches", &NO_COUNTS)?),
         })
     }
 
@@ -141,6 +144,16 @@ impl SceneGradient {
     pub fn with_poses(mut self, device: &Device, cameras: usize) -> Result<Self> {
         let label = "gradients of poses";
         self.poses = Some(BinnedGradient::new(device, label, POSE * cameras)?);
+        Ok(self)
+    }
+
+    /// The same with the gradients of the exposures of `photographs`: all that a batch may show.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::zeros`].
+    pub fn with_exposures(mut self, device: &Device, photographs: usize) -> Result<Self> {
+        let values = STRIDE as usize * photographs;
+        self.exposures = Some(BinnedGradient::new(device, "gradients of exposures", values)?);
         Ok(self)
     }
 
@@ -163,7 +176,7 @@ impl SceneGradient {
     /// # Errors
     /// The same errors as [`Device::write`].
     pub fn clear_failure(&self, device: &Device) -> Result<()> {
-        Ok(device.write(&self.counts, 0, &NO_FAILURE)?)
+        Ok(device.write(&self.counts, 0, &NO_COUNTS)?)
     }
 
     /// Every tensor's gradient.
@@ -215,7 +228,8 @@ impl SceneGradient {
             field.table.finish(device)?;
             field.network.finish(device)?;
         }
-        Ok(self.poses.iter().try_for_each(|poses| poses.finish(device))?)
+        let photographs = self.poses.iter().chain(&self.exposures);
+        Ok(photographs.into_iter().try_for_each(|values| values.finish(device))?)
     }
 
     /// A step begins.
@@ -232,6 +246,7 @@ impl SceneGradient {
             field.network.clear(device);
         }
         self.clear_poses(device);
+        self.exposures.iter().for_each(|exposures| exposures.clear(device));
     }
 
     /// Clears the gradients of the cameras' poses.
@@ -258,7 +273,8 @@ impl SceneGradient {
 }
 
 impl TensorGradient {
-    fn whole(buffer: Buffer<f32>, touched: Option<Buffer<u32>>) -> Self {
+    /// The gradient of a tensor that has a buffer of its own.
+    pub fn whole(buffer: Buffer<f32>, touched: Option<Buffer<u32>>) -> Self {
         Self { range: 0..buffer.len(), buffer, touched }
     }
 

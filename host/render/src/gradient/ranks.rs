@@ -1,4 +1,4 @@
-//! Sums over ranks: the gradients of fields, poses and Gaussians.
+//! Sums over ranks: the gradients of fields, poses, exposures and Gaussians.
 
 use std::ops::Range;
 
@@ -70,7 +70,7 @@ pub fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Resu
         flags.extend(device.read(&table.status)?);
     }
     let networks = [&gradient.color.network, &gradient.transmittance.network];
-    for binned in networks.into_iter().chain(&gradient.poses) {
+    for binned in networks.into_iter().chain(&gradient.poses).chain(&gradient.exposures) {
         all.push(SharedSums::read(device, &binned.sum, None)?);
     }
     flags.extend(all.iter().flat_map(|sums| &sums.touched));

@@ -2,16 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use super::exposure::{self, Exposed, ExposureGradient};
+use super::exposure::Exposed;
 use super::image::{LossInputs, LossTarget, TileLoss, image_loss};
-use super::own::{DeviceLoss, DeviceLossBatch};
-use crate::stages::composite::{CompositedTerm, MaskedTerm, TileGradient};
+use crate::gradient::SceneGradient;
 use crate::stages::cut::{PartTiles, values_of_tiles};
 use crate::stages::tiles::TileBins;
 use muslin_device::{Buffer, Device};
+use organza_core::Result;
 use organza_core::error::argument;
 use organza_core::ranks::Ranks;
-use organza_core::{Result, TileBatch};
 
 /// The loss of a batch.
 #[derive(Clone, Debug)]
@@ -20,8 +19,6 @@ pub struct BatchLoss {
     pub loss: f64,
     /// What is measured of each tile, in the order of the batch.
     pub tiles: Vec<TileLoss>,
-    /// Gradients of the exposures of all tiles, if the target has exposures.
-    pub exposures: Vec<ExposureGradient>,
 }
 
 /// How dL/dY of a batch is found.
@@ -35,101 +32,87 @@ pub enum LossSource<'a> {
 /// Tiles beside photographs.
 pub struct Comparison<'a> {
     pub target: &'a LossTarget<'a>,
-    /// Instead of the image's loss.
-    pub own: Option<OwnGradient<'a>>,
-    found: BTreeMap<usize, TileNumbers>,
-    /// Of the last part: the sums of rows of the loss and of the exposures, and the caller's loss.
-    sums: Vec<Buffer<u32>>,
-    own_loss: f64,
+    /// dL/dY `[K, 3, S, S]` of a caller's loss, of tiles as they were exposed: instead of the image's.
+    own: Option<&'a [f32]>,
+    /// By the tile's place in the batch.
+    found: BTreeMap<usize, TileLoss>,
+    /// Of the last part.
+    row_sum: Option<Buffer<u32>>,
 }
 
-/// The derivative of a caller's loss.
-pub enum OwnGradient<'a> {
-    /// A function that says it.
-    Device(&'a mut DeviceLoss<'a>),
-    /// dL/dY `[K, 3, S, S]`, of tiles as they were exposed.
-    Host(&'a [f32]),
-}
-
-/// What is measured of a tile. Ranks tell each other.
+/// What ranks tell each other of a tile.
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 struct TileNumbers {
-    /// The tile's place in the batch.
     place: f64,
     loss: TileLoss,
-    /// The gradient of its exposure, if that is learned.
-    exposure: [[f64; 2]; 3],
-    /// The caller's loss of a part, at its first tile; 0 elsewhere.
-    own: f64,
 }
 
 impl LossSource<'_> {
-    /// Queues dL/dY of a part's tiles `[tiles, 3, S, S]`.
+    /// Queues dL/dY of a part's tiles `[tiles, 3, S, S]`. If the host does not wait for the part, [looks](crate::stages::counts::PartCounts::check_loss)
+    /// at the loss.
     pub fn backward(
         &mut self,
         device: &Device,
         part_tiles: &PartTiles,
+        (bins, is_queued): (&TileBins, bool),
         rendered: &Buffer<f32>,
-    ) -> Result<TileGradient> {
+        into: &SceneGradient,
+    ) -> Result<Buffer<f32>> {
         match self {
-            Self::Compared(comparison) => comparison.backward(device, part_tiles, rendered),
+            Self::Compared(comparison) => {
+                comparison.backward(device, part_tiles, (bins, is_queued), rendered, into)
+            }
             Self::Given(d_tiles) => {
                 let values = values_of_tiles(d_tiles, &part_tiles.places(), 3 * part_tiles.area());
-                let d_tiles = device.upload("gradient of the tiles", &values)?;
-                Ok(TileGradient { d_tiles, terms: Vec::new() })
+                Ok(device.upload("gradient of the tiles", &values)?)
             }
         }
-    }
-
-    /// Queues a look at the loss of [`Self::backward`]: see [`PartCounts::check_loss`](crate::stages::counts::PartCounts::check_loss).
-    pub fn check(&self, device: &Device, bins: &TileBins) -> Result<()> {
-        let (Self::Compared(comparison), Some(counts)) = (self, &bins.part_counts) else {
-            return Ok(());
-        };
-        Ok(counts.check_loss(device, &comparison.sums[0].view(), &bins.pair_mask)?)
-    }
-
-    /// Whether a caller's function sees the tiles, which must then be there.
-    pub fn is_own(&self) -> bool {
-        matches!(self, Self::Compared(Comparison { own: Some(_), .. }))
     }
 
     /// The buffers to read after [`Self::backward`] of a part.
     pub fn buffers(&self) -> Vec<Buffer<u32>> {
         match self {
             Self::Given(_) => Vec::new(),
-            Self::Compared(comparison) => comparison.sums.iter().map(Buffer::view).collect(),
+            Self::Compared(comparison) => comparison.row_sum.iter().map(Buffer::view).collect(),
         }
     }
 
     /// Takes the words of [`Self::buffers`].
     pub fn take(&mut self, part_tiles: &PartTiles, words: &[Vec<u32>]) {
-        if let Self::Compared(comparison) = self {
-            comparison.take(part_tiles, words);
+        if let (Self::Compared(comparison), [rows]) = (self, words) {
+            comparison.found.extend(tile_losses(&part_tiles.places(), rows));
         }
     }
 }
 
+/// The losses of a part's tiles, by their places in the batch, from the sums of their rows.
+pub fn tile_losses<'a>(
+    places: &'a [usize],
+    rows: &'a [u32],
+) -> impl Iterator<Item = (usize, TileLoss)> + 'a {
+    let rows = bytemuck::cast_slice::<u32, f32>(rows);
+    let tiles = rows.chunks_exact(rows.len() / places.len()).map(TileLoss::of_rows);
+    places.iter().copied().zip(tiles)
+}
+
 impl<'a> Comparison<'a> {
-    pub fn new(target: &'a LossTarget<'a>, own: Option<OwnGradient<'a>>) -> Self {
-        Self { target, own, found: BTreeMap::new(), sums: Vec::new(), own_loss: 0.0 }
+    pub fn new(target: &'a LossTarget<'a>, own: Option<&'a [f32]>) -> Self {
+        Self { target, own, found: BTreeMap::new(), row_sum: None }
     }
 
     fn backward(
         &mut self,
         device: &Device,
         part_tiles: &PartTiles,
+        (bins, is_queued): (&TileBins, bool),
         rendered: &Buffer<f32>,
-    ) -> Result<TileGradient> {
+        into: &SceneGradient,
+    ) -> Result<Buffer<f32>> {
         let target = self.target;
-        let area = part_tiles.area();
         let places = part_tiles.places();
         let [image, valid] = target.photographs.on_device(device, &places)?;
-        let expose = |all: &[f32]| {
-            let exposure = values_of_tiles(all, &places, exposure::VALUES);
-            Exposed::new(device, rendered, part_tiles.side, &exposure)
-        };
+        let expose = |exposure| Exposed::new(device, rendered, part_tiles, exposure);
         let exposed = target.exposure.map(expose).transpose()?;
         let inputs = LossInputs {
             image: exposed.as_ref().map_or(rendered, |exposed| &exposed.image),
@@ -139,87 +122,40 @@ impl<'a> Comparison<'a> {
             ssim_weight: target.ssim_weight,
         };
         let output = device.run_in_pool(|| image_loss(device, part_tiles.side, &inputs))?;
+        let counts = bins.part_counts.as_ref();
+        if let Some(counts) = counts.filter(|_| is_queued) {
+            counts.check_loss(device, &output.row_sum, &bins.pair_mask)?;
+        }
         let mut d_tiles = output.grad_tiles;
-        match &mut self.own {
-            None => {}
-            Some(OwnGradient::Host(all)) => {
-                let values = values_of_tiles(all, &places, 3 * area);
-                d_tiles = device.upload("gradient of the tiles", &values)?;
-            }
-            Some(OwnGradient::Device(own)) => {
-                let found = own(&DeviceLossBatch { device, side: part_tiles.side, inputs })?;
-                check_len(found.grad_tiles.len(), rendered.len())?;
-                self.own_loss = found.loss;
-                d_tiles = found.grad_tiles;
-            }
+        if let Some(own) = self.own {
+            let values = values_of_tiles(own, &places, 3 * part_tiles.area());
+            d_tiles = device.upload("gradient of the tiles", &values)?;
         }
-        self.sums = vec![output.row_sum.view()];
         if let Some(exposed) = exposed {
-            self.sums.push(exposed.backward(device, rendered, &d_tiles)?.view());
+            let sums = into.exposures.as_ref().expect("a gradient with exposures");
+            exposed.backward(device, rendered, &d_tiles, counts, sums)?;
         }
-        let masked = |term: &CompositedTerm| MaskedTerm {
-            term: *term,
-            valid: valid.view(),
-            factor: (f64::from(term.weight) / target.valid_pixels.max(1.0)) as f32,
-        };
-        Ok(TileGradient { d_tiles, terms: target.terms.iter().map(masked).collect() })
+        self.row_sum = Some(output.row_sum.view());
+        Ok(d_tiles)
     }
 
-    fn take(&mut self, part_tiles: &PartTiles, words: &[Vec<u32>]) {
-        let rows: Vec<_> =
-            words.iter().map(|words| bytemuck::cast_slice::<u32, f32>(words)).collect();
-        let of_tile = |at: usize, which: usize| {
-            let len = rows[which].len() / part_tiles.tiles.len();
-            &rows[which][at * len..][..len]
-        };
-        for (at, tile) in part_tiles.tiles.iter().enumerate() {
-            let exposure = (rows.len() > 1).then(|| exposure::gradient(of_tile(at, 1)));
-            let numbers = TileNumbers {
-                place: tile.place as f64,
-                loss: TileLoss::of_rows(of_tile(at, 0)),
-                own: std::mem::take(&mut self.own_loss),
-                exposure: exposure.unwrap_or_default(),
-            };
-            self.found.insert(tile.place, numbers);
-        }
-    }
-
-    /// Adds what other ranks have measured: as many numbers of each tile as there are.
+    /// Adds what other ranks have measured.
     pub fn gather(&mut self, ranks: &dyn Ranks) -> Result<()> {
-        let width = match (self.target.exposure, &self.own) {
-            (None, None) => 5,
-            (Some(_), None) => 11,
-            (_, Some(_)) => 12,
-        };
-        let rows = self.found.values().flat_map(|tile| {
-            let numbers: [f64; 12] = bytemuck::cast(*tile);
-            numbers.into_iter().take(width)
-        });
-        let mine: Vec<f64> = rows.collect();
+        let numbers =
+            |(&place, &loss): (&usize, &TileLoss)| TileNumbers { place: place as f64, loss };
+        let mine: Vec<_> = self.found.iter().map(numbers).collect();
         for bytes in ranks.gather(bytemuck::cast_slice(&mine).to_vec())? {
-            for row in bytemuck::pod_collect_to_vec::<u8, f64>(&bytes).chunks_exact(width) {
-                let mut numbers = [0.0; 12];
-                numbers[..width].copy_from_slice(row);
-                self.found.insert(numbers[0] as usize, bytemuck::cast(numbers));
-            }
+            let theirs = bytemuck::pod_collect_to_vec::<u8, TileNumbers>(&bytes);
+            self.found.extend(theirs.iter().map(|tile| (tile.place as usize, tile.loss)));
         }
         Ok(())
     }
 
-    /// What was measured of a batch; `loss` is known of a caller's loss on the host.
-    pub fn finish(self, batch: &TileBatch, loss: Option<f64>) -> BatchLoss {
-        let found: Vec<_> = self.found.into_values().collect();
-        let tiles: Vec<_> = found.iter().map(|tile| tile.loss).collect();
-        let loss = match (loss, self.own) {
-            (Some(loss), _) => loss,
-            (None, Some(_)) => found.iter().map(|tile| tile.own).sum(),
-            (None, None) => TileLoss::total(&tiles).value(self.target.ssim_weight),
-        };
-        let exposures = found.iter().zip(&batch.tiles).enumerate().map(|(place, (found, tile))| {
-            ExposureGradient { place, camera: tile.camera, gradient: found.exposure }
-        });
-        let exposures = self.target.exposure.map(|_| exposures.collect()).unwrap_or_default();
-        BatchLoss { loss, tiles, exposures }
+    /// What was measured of a batch, and its loss: a caller's own, or the image's.
+    pub fn finish(self, own: Option<f64>) -> BatchLoss {
+        let tiles: Vec<_> = self.found.into_values().collect();
+        let loss = own.unwrap_or_else(|| TileLoss::total(&tiles).value(self.target.ssim_weight));
+        BatchLoss { loss, tiles }
     }
 }
 

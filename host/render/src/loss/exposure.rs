@@ -1,74 +1,86 @@
 //! Photographs' exposures applied to rendered tiles, and their gradients. [`organza_shaders::exposure`] has the formula.
 
-use organza_shaders::exposure::{ExposeBackwardKernel, ExposeKernel, ExposureParams};
+use muslin::math::exp;
+use organza_shaders::exposure::{
+    ExposeBackwardKernel, ExposeBackwardParams, ExposeKernel, ExposeParams, STRIDE,
+};
 
-use muslin_device::{Buffer, Device, Result};
-
-/// Values of a tile's exposure: a gain and an offset for each channel.
-pub(crate) const VALUES: usize = 6;
+use crate::gradient::BinnedGradient;
+use crate::stages::counts::PartCounts;
+use crate::stages::cut::PartTiles;
+use muslin_device::{Buffer, Count, Device, Result};
+use organza_core::Tile;
 
 /// Rendered tiles as their photographs' cameras would have exposed them.
 #[derive(Debug)]
-pub(crate) struct Exposed {
-    params: ExposureParams,
-    /// `[K, 3, 2]`
-    exposure: Buffer<f32>,
-    /// x' `[K, 3, S, S]`
+pub(crate) struct Exposed<'a> {
+    /// `[photographs, STRIDE]`
+    exposure: &'a Buffer<f32>,
+    /// `[tiles]`
+    photograph: Buffer<u32>,
+    side: u32,
+    /// x' `[tiles, 3, S, S]`
     pub image: Buffer<f32>,
 }
 
-/// dL/dgain and dL/doffset of a tile's channels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ExposureGradient {
-    /// The tile's place in the batch.
-    pub place: usize,
-    /// Camera of the photograph.
-    pub camera: usize,
-    /// `[3, 2]`
-    pub gradient: [[f64; 2]; 3],
-}
-
-impl Exposed {
-    /// `image [K, 3, S, S]`, with `exposure [K, 3, 2]`: a gain and an offset for each channel.
-    pub fn new(device: &Device, image: &Buffer<f32>, side: u32, exposure: &[f32]) -> Result<Self> {
-        let params = ExposureParams { planes: exposure.len() as u32 / 2, side };
-        let exposure = device.upload("exposures", exposure)?;
+impl<'a> Exposed<'a> {
+    /// `image [tiles, 3, S, S]`, with the exposures of all photographs `[photographs, STRIDE]`.
+    pub fn new(
+        device: &Device,
+        image: &Buffer<f32>,
+        part_tiles: &PartTiles,
+        exposure: &'a Buffer<f32>,
+    ) -> Result<Self> {
+        let side = part_tiles.side;
+        let photograph: Vec<_> =
+            part_tiles.tiles.iter().map(|tile| tile.tile.camera as u32).collect();
+        let photograph = device.upload("photographs of tiles", &photograph)?;
         let exposed = device.unwritten("exposed tiles", image.len())?;
-        let kernel = ExposeKernel { params, image, exposure: &exposure, exposed: &exposed };
+        let kernel = ExposeKernel {
+            params: ExposeParams { planes: 3 * part_tiles.tiles.len() as u32, side },
+            photograph: &photograph,
+            exposure,
+            image,
+            exposed: &exposed,
+        };
         device.run(&kernel, image.len() as u32, 1)?;
-        Ok(Self { params, exposure, image: exposed })
+        Ok(Self { exposure, photograph, side, image: exposed })
     }
 
-    /// Turns `gradient [K, 3, S, S]` from dL/dx' into dL/dx; returns the sums of rows `[K, 3, S, 2]`, for [`gradient`].
+    /// Turns `gradient [tiles, 3, S, S]` from dL/dx' into dL/dx, and adds the exposures' gradients to sums. A part that had too
+    /// little room, or whose loss is not finite, adds nothing.
     pub fn backward(
         &self,
         device: &Device,
         image: &Buffer<f32>,
         gradient: &Buffer<f32>,
-    ) -> Result<Buffer<f32>> {
-        let params = self.params;
-        let exposure = &self.exposure;
-        let rows = params.planes * params.side;
-        let row_sum = device.unwritten("exposures' row sums", 2 * rows as usize)?;
-        let kernel = ExposeBackwardKernel { params, image, exposure, gradient, row_sum: &row_sum };
-        device.run(&kernel, rows, 1)?;
-        Ok(row_sum)
+        counts: Option<&PartCounts>,
+        into: &BinnedGradient,
+    ) -> Result<()> {
+        let rows = 3 * self.photograph.len() as u32 * self.side;
+        let kernel = ExposeBackwardKernel {
+            params: ExposeBackwardParams {
+                rows,
+                side: self.side,
+                values: into.values.len() as u32,
+            },
+            photograph: &self.photograph,
+            exposure: self.exposure,
+            image,
+            gradient,
+            sum: &into.sum,
+        };
+        let count = counts.map_or(Count::known(rows), |counts| counts.unless_failed(rows));
+        device.run(&kernel.counted(&count), rows, 1)
     }
 }
 
-/// Exposes a tile `[3, S, S]` on the host.
-pub(crate) fn expose_tile(tile: &mut [f32], exposure: &[f32]) {
-    let area = tile.len() / 3;
-    for (plane, values) in tile.chunks_exact_mut(area).zip(exposure.chunks_exact(2)) {
-        plane.iter_mut().for_each(|value| *value = values[0] * *value + values[1]);
+/// Exposes a tile `[3, S, S]` on the host, by the exposures of all photographs.
+pub(crate) fn expose_tile(tile: &Tile, values: &mut [f32], exposure: &[f32]) {
+    let area = values.len() / 3;
+    let own = &exposure[tile.camera * STRIDE as usize..];
+    for (plane, own) in values.chunks_exact_mut(area).zip(own.as_chunks().0) {
+        let [log_gain, offset] = *own;
+        plane.iter_mut().for_each(|value| *value = exp(log_gain) * *value + offset);
     }
-}
-
-/// The gradient `[3, 2]` of a tile's exposure, from the sums of its rows `[3, S, 2]`.
-pub(crate) fn gradient(rows: &[f32]) -> [[f64; 2]; 3] {
-    let add = |sum: [f64; 2], row: &[f32; 2]| [0, 1].map(|at| sum[at] + f64::from(row[at]));
-    let plane = |rows: &[[f32; 2]]| rows.iter().fold([0.0; 2], add);
-    let (rows, _) = rows.as_chunks::<2>();
-    let side = rows.len() / 3;
-    [0, 1, 2].map(|channel| plane(&rows[channel * side..][..side]))
 }

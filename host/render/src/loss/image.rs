@@ -12,7 +12,6 @@ use organza_shaders::ssim::{
     MOMENTS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel, SsimRowsKernel,
 };
 
-use crate::stages::composite::CompositedTerm;
 use crate::stages::cut::values_of_tiles;
 use muslin_device::{Buffer, Device};
 use organza_core::error::argument;
@@ -55,11 +54,10 @@ pub struct LossTarget<'a> {
     pub valid_pixels: f64,
     /// w, the weight of `1 - SSIM` in the settings.
     pub ssim_weight: f32,
-    /// Terms of the loss beside the image.
-    pub terms: &'a [CompositedTerm],
-    /// `[K, 3, 2]`: a gain and an offset for each channel, which the rendered tiles get before they are compared.
-    /// Without them they are compared as they are.
-    pub exposure: Option<&'a [f32]>,
+    /// `[photographs, STRIDE]`: [exposures](organza_shaders::exposure) of the cameras' photographs, which the rendered tiles get
+    /// before they are compared. [`SceneGradient::with_exposures`](crate::SceneGradient::with_exposures) takes their gradients.
+    /// Without them, tiles are compared as they are.
+    pub exposure: Option<&'a Buffer<f32>>,
 }
 
 /// The photographs behind the tiles of a batch.

@@ -1,7 +1,6 @@
-//! Losses of rendered tiles: of the image, with exposures, beside the image, and a caller's own.
+//! Losses of rendered tiles: of the image with exposures, and a caller's own.
 
 pub mod compare;
 pub mod exposure;
 pub mod image;
 pub mod own;
-pub mod terms;

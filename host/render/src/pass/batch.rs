@@ -22,7 +22,6 @@ use crate::gradient::SceneGradient;
 use crate::gradient::ranks::{self, Rows};
 use crate::loss::compare::LossSource;
 use crate::scene::device_scene::DeviceScene;
-use crate::stages::composite::TileGradient;
 use crate::stages::counts::{Capacity, PartCounts};
 use crate::stages::cut::{Limits, PartTiles, by_camera, cut};
 use muslin_device::{Buffer, Count, Device};
@@ -74,7 +73,8 @@ pub struct BatchPart {
     part: Option<Part>,
     /// Whether the part is counted in [`Parts::room`].
     is_kept: bool,
-    d_tiles: Option<TileGradient>,
+    /// dL/dY `[tiles, 3, S, S]`
+    d_tiles: Option<Buffer<f32>>,
     /// `[pairs, 3]`, of a part that is kept.
     d_splats: Option<Buffer<Vec4>>,
 }
@@ -332,14 +332,10 @@ impl<'a> Pass<'a> {
         let mut index = 0;
         while let Some(at) = parts.list.get_mut(index) {
             self.evaluate(at, true)?;
-            if loss.is_own() && self.read(at, Vec::new())?.is_none() {
-                continue;
-            }
             let part = at.part.as_ref().expect("it was evaluated");
-            let d_tiles = loss.backward(device, &at.part_tiles, &part.composite.image)?;
-            if self.queued.is_some() {
-                loss.check(device, &part.bins)?;
-            }
+            let bins = (&part.bins, self.queued.is_some());
+            let image = &part.composite.image;
+            let d_tiles = loss.backward(device, &at.part_tiles, bins, image, into)?;
             let d_splats = device.run_in_pool(|| {
                 let context = part.context(self.scene);
                 let d_splats = part.composite.backward(context, &d_tiles)?;

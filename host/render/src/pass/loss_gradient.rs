@@ -7,8 +7,8 @@ use super::capacity::BatchKind;
 use super::output::Output;
 use super::renderer::Renderer;
 use crate::gradient::SceneGradient;
-use crate::loss::compare::{BatchLoss, Comparison, LossSource, OwnGradient, check_len};
-use crate::loss::exposure;
+use crate::loss::compare::{BatchLoss, Comparison, LossSource, check_len, tile_losses};
+use crate::loss::exposure::expose_tile;
 use crate::loss::image::{LossTarget, TileImages, TileLoss};
 use crate::loss::own::{LossBatch, OwnLoss};
 use crate::scene::device_scene::DeviceScene;
@@ -18,14 +18,13 @@ use organza_core::ranks::Ranks;
 use organza_core::{Camera, RenderedTiles, Result, TileBatch};
 
 impl Renderer {
-    /// Adds the gradients of a batch's loss to `gradient`; returns the loss, what it measures of the tiles, and the gradients
-    /// of the exposures, if the target has them.
+    /// Adds the gradients of a batch's loss to `gradient`; returns the loss, and what it measures of the tiles.
     ///
     /// With `ranks`, each has the same batch, scene and loss, and renders some views of the batch. All get the same result
     /// and the same gradient.
     ///
-    /// `own` is a caller's loss instead of the image's. Tiles are measured all the same, and have exposures and other terms
-    /// all the same. A loss on the host sees the whole batch, so that all tiles are read first.
+    /// `own` is a caller's loss instead of the image's. Tiles are measured and have exposures all the same.
+    /// A loss on the host sees the whole batch, so that all tiles are read first.
     ///
     /// On a GPU a batch of one part is one wait, for the losses, after a first one that has found out what such batches need;
     /// a loss of the caller's takes one more. `gradient` is a step's: but for the statistics, zero before.
@@ -50,33 +49,28 @@ impl Renderer {
         let pass = Pass { ranks, ..self.pass(scene, cameras) };
         let mut parts = pass.cut(batch)?;
         gradient.snapshot(device);
-        let found;
-        let mut loss = None;
-        let own = match own {
-            None => None,
-            Some(OwnLoss::Device(own)) => Some(OwnGradient::Device(own)),
-            Some(OwnLoss::Host(own)) => {
-                let rendered = &pass.whole_batch(&mut parts, batch, target)?;
-                let [image, valid] = target.photographs.on_host()?;
-                let target = TileImages { image: &image, valid: &valid, side: batch.side };
-                found = own(&LossBatch { batch, rendered, target })?;
-                check_len(found.grad_tiles.len(), rendered.data.len())?;
-                loss = Some(found.loss);
-                Some(OwnGradient::Host(&found.grad_tiles))
-            }
-        };
-        let mut source = LossSource::Compared(Comparison::new(target, own));
+        let mut own_loss = None;
+        if let Some(own) = own {
+            let rendered = &pass.whole_batch(&mut parts, batch, target)?;
+            let [image, valid] = target.photographs.on_host()?;
+            let target = TileImages { image: &image, valid: &valid, side: batch.side };
+            let found = own(&LossBatch { batch, rendered, target })?;
+            check_len(found.grad_tiles.len(), rendered.data.len())?;
+            own_loss = Some(found);
+        }
+        let d_tiles = own_loss.as_ref().map(|found| &found.grad_tiles[..]);
+        let mut source = LossSource::Compared(Comparison::new(target, d_tiles));
         pass.backward(&mut parts, &mut source, gradient)?;
         let LossSource::Compared(mut found) = source else { unreachable!("made above") };
         if let Some(ranks) = ranks {
             found.gather(ranks).inspect_err(|_| gradient.rollback(device))?;
         }
-        Ok(found.finish(batch, loss))
+        Ok(found.finish(own_loss.as_ref().map(|found| found.loss)))
     }
 
     /// Queues what [`Renderer::add_loss_gradient`] does with the image's loss, and waits for nothing: a GPU then works on several
     /// batches, one after the other, while the host prepares the next one. `None`, with nothing queued, where the host must wait:
-    /// on a CPU, if tiles have exposures, for a batch of several parts, and for the first batch of a kind, which tells the room
+    /// on a CPU, for a batch of several parts, and for the first batch of a kind, which tells the room
     /// that such batches need.
     ///
     /// A batch fails if it has too little room or if its loss is not finite. Neither it nor any later queued batch then adds to the
@@ -92,7 +86,7 @@ impl Renderer {
         target: &LossTarget<'_>,
         gradient: &SceneGradient,
     ) -> Result<Option<QueuedLoss>> {
-        if target.exposure.is_some() || !self.device().has_indirect_counts() {
+        if !self.device().has_indirect_counts() {
             return Ok(None);
         }
         let pass = Pass { queued: Some(&gradient.counts), ..self.pass(scene, cameras) };
@@ -130,12 +124,10 @@ impl QueuedLoss {
         let [rows, counts] = values else { unreachable!("as many as buffers") };
         let needed = Capacity::needed(counts)?;
         renderer.predictor().observe(self.kind, self.size, needed);
-        let rows = bytemuck::cast_slice::<u32, f32>(rows);
-        let tiles = rows.chunks_exact(rows.len() / self.places.len()).map(TileLoss::of_rows);
-        let tiles: BTreeMap<_, _> = self.places.into_iter().zip(tiles).collect();
+        let tiles: BTreeMap<_, _> = tile_losses(&self.places, rows).collect();
         let tiles: Vec<_> = tiles.into_values().collect();
         let loss = TileLoss::total(&tiles).value(self.ssim_weight);
-        Some(BatchLoss { loss, tiles, exposures: Vec::new() })
+        Some(BatchLoss { loss, tiles })
     }
 }
 
@@ -163,9 +155,9 @@ impl Pass<'_> {
             }
         }
         if let Some(exposure) = target.exposure {
-            let tiles =
-                rendered.data.chunks_exact_mut(len).zip(exposure.chunks_exact(exposure::VALUES));
-            tiles.for_each(|(tile, exposure)| exposure::expose_tile(tile, exposure));
+            let exposure = self.renderer.device().read(exposure)?;
+            let tiles = batch.tiles.iter().zip(rendered.data.chunks_exact_mut(len));
+            tiles.for_each(|(tile, values)| expose_tile(tile, values, &exposure));
         }
         Ok(rendered)
     }

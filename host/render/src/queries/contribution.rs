@@ -11,7 +11,6 @@ use rayon::prelude::*;
 
 use super::pixel_gaussians::{PartSplats, PixelGaussian, depths, surface};
 use crate::pass::part::Part;
-use crate::stages::composite::TileGradient;
 use crate::stages::cut::PartTiles;
 use crate::{DeviceScene, Renderer};
 use organza_core::image::{TILE_SIDE, bands};
@@ -163,8 +162,7 @@ impl Renderer {
         depths: Option<&[f64]>,
     ) -> Result<Vec<(usize, GaussianSums)>> {
         let device = self.device();
-        let d_tiles = device.upload("red of the pixels", &red(camera, part_tiles))?;
-        let red = TileGradient { d_tiles, terms: Vec::new() };
+        let red = device.upload("red of the pixels", &red(camera, part_tiles))?;
         let part = Part::evaluate(scene, from_ref(camera), part_tiles, false, None)?;
         let context = part.context(scene);
         let gradient = device.run_in_pool(|| part.composite.backward(context, &red))?;

@@ -51,39 +51,6 @@ impl<'a> TileContext<'a> {
     }
 }
 
-/// A loss term on composited values (Eq. 12) other than color.
-#[derive(Clone, Copy, Debug)]
-pub struct CompositedTerm {
-    /// Its weight in the loss. The term is a mean over the valid pixels.
-    pub weight: f32,
-    /// The values `[pairs, 3]`: constants, without a gradient.
-    pub(crate) values: fn(TileContext<'_>) -> Result<Buffer<f32>>,
-    pub(crate) backward: TermBackward,
-}
-
-/// A term's derivative by its sums, `[tiles, 4, S, S]`. Arguments: the sums, the mask `[tiles, S, S]`, and each pixel's factor.
-pub(crate) type TermBackward =
-    fn(TileContext<'_>, &Buffer<f32>, &Buffer<f32>, f32) -> Result<Buffer<f32>>;
-
-/// The derivative of a loss by the tiles of a part.
-#[derive(Debug)]
-pub struct TileGradient {
-    /// dL/dY `[tiles, 3, S, S]`
-    pub d_tiles: Buffer<f32>,
-    /// Loss terms on other values than the image.
-    pub terms: Vec<MaskedTerm>,
-}
-
-/// A term for the tiles of a part.
-#[derive(Debug)]
-pub struct MaskedTerm {
-    pub term: CompositedTerm,
-    /// `[tiles, S, S]`: 1 where a pixel counts, 0 elsewhere.
-    pub valid: Buffer<f32>,
-    /// The term's weight, divided by the number of valid pixels in the batch.
-    pub factor: f32,
-}
-
 /// The composited tiles of a part.
 #[derive(Debug)]
 pub struct Composite {
@@ -117,11 +84,12 @@ impl Composite {
         Ok(Self { sum, image, splat })
     }
 
-    /// The derivative of a loss by the splats `[pairs, 3]`: see [`splat_backward`](organza_shaders::splat).
+    /// The derivative of a loss by the splats `[pairs, 3]`, of dL/dY `[tiles, 3, S, S]`: see
+    /// [`splat_backward`](organza_shaders::splat).
     pub fn backward(
         &self,
         context: TileContext<'_>,
-        gradient: &TileGradient,
+        d_tiles: &Buffer<f32>,
     ) -> Result<Buffer<Vec4>> {
         let TileContext { scene, bins, transmittance, .. } = context;
         let device = scene.device();
@@ -131,18 +99,11 @@ impl Composite {
             params: resolve_params(scene.config.background, scene.divide_above, side),
             tile: &bins.tile,
             sum: &self.sum,
-            image_gradient: &gradient.d_tiles,
+            image_gradient: d_tiles,
             sum_gradient: &sum_gradient,
         };
         device.run_over(&kernel, [side, side, bins.tiles])?;
-        let intersection_gradient = intersections_gradient(device, bins)?;
-        add_intersections(context, (&self.splat, true), &sum_gradient, &intersection_gradient)?;
-        for MaskedTerm { term, valid, factor } in &gradient.terms {
-            let (sum, splat) = weighted_sum(context, &(term.values)(context)?)?;
-            let sum_gradient = (term.backward)(context, &sum, valid, *factor)?;
-            add_intersections(context, (&splat, false), &sum_gradient, &intersection_gradient)?;
-        }
-
+        let intersection_gradient = intersections_gradient(context, &self.splat, &sum_gradient)?;
         let pairs = &bins.pairs;
         let capacity = pairs.count.upper_bound();
         let pair_gradient =
@@ -167,8 +128,12 @@ impl Composite {
     }
 }
 
-/// Zeros for the gradient of each tile's intersections, `[intersections, 3]`.
-fn intersections_gradient(device: &Device, bins: &TileBins) -> Result<Buffer<Vec4>> {
+/// The gradient of each tile's intersections, `[intersections, 3]`, summed over its pixels, in bands of rows if a tile is large.
+fn intersections_gradient(
+    TileContext { scene, bins, .. }: TileContext<'_>,
+    splat: &Buffer<Vec4>,
+    sum_gradient: &Buffer<f32>,
+) -> Result<Buffer<Vec4>> {
     let intersections = bins.intersections.upper_bound();
     let bytes = u64::from(intersections) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
     // kernels number the vectors in 32 bits
@@ -176,19 +141,10 @@ fn intersections_gradient(device: &Device, bins: &TileBins) -> Result<Buffer<Vec
         let what = format!("the gradients of {intersections} intersections");
         return Err(Error::OutOfMemory { needed: bytes, available: None, what });
     }
-    device.zeros("gradient of the intersections", (intersections * VECTORS) as usize)
-}
-
-/// Adds the gradients of each tile's intersections, summed over its pixels, in bands of rows if a tile is large. `colors` also asks
-/// for the gradient of the splats' colors.
-fn add_intersections(
-    TileContext { scene, bins, .. }: TileContext<'_>,
-    (splat, colors): (&Buffer<Vec4>, bool),
-    sum_gradient: &Buffer<f32>,
-    intersection_gradient: &Buffer<Vec4>,
-) -> Result<()> {
+    let device = scene.device();
+    let len = (intersections * VECTORS) as usize;
+    let intersection_gradient = device.zeros("gradient of the intersections", len)?;
     let side = bins.side;
-    let intersections = bins.intersections.upper_bound();
     let band = band_rows(side);
     for first_row in (0..side).step_by(band as usize) {
         let kernel = CompositeBackwardKernel {
@@ -198,7 +154,6 @@ fn add_intersections(
                 side,
                 first_row,
                 rows: band.min(side - first_row),
-                colors: colors.into(),
                 compensated_blur: scene.compensated_blur(),
             },
             tile: &bins.tile,
@@ -206,11 +161,11 @@ fn add_intersections(
             intersection: &bins.intersection,
             splat,
             sum_gradient,
-            intersection_gradient,
+            intersection_gradient: &intersection_gradient,
         };
-        scene.device().run(&kernel.counted(&bins.intersections), intersections, 1)?;
+        device.run(&kernel.counted(&bins.intersections), intersections, 1)?;
     }
-    Ok(())
+    Ok(intersection_gradient)
 }
 
 /// Composites any three values per pair, `color [pairs, 3]`, by Eq. 12. Returns the sums `[tiles, 4, S, S]` and the splats

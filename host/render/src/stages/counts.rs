@@ -5,8 +5,8 @@ use std::sync::Arc;
 use glam::Vec4;
 use muslin::count::OVERFLOW;
 use organza_shaders::count::{
-    COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, INTERSECTIONS, PAIRS, RecordTotalKernel,
-    RecordTotalParams, SAMPLES,
+    ALL, COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, INTERSECTIONS, PAIRS,
+    RecordTotalKernel, RecordTotalParams, SAMPLES,
 };
 use organza_shaders::loss::{LossCheckKernel, LossCheckParams};
 
@@ -61,6 +61,13 @@ impl Capacity {
     }
 }
 
+/// Counts of a part before its first number.
+pub const NO_COUNTS: [u32; COUNTS as usize] = {
+    let mut counts = [0; COUNTS as usize];
+    counts[ALL as usize] = u32::MAX;
+    counts
+};
+
 /// Numbers that stay on the device: see [`organza_shaders::count`].
 #[derive(Clone, Debug)]
 pub struct PartCounts {
@@ -76,7 +83,7 @@ impl PartCounts {
     /// No counts yet: those of a scene alone, or of [all](crate::DeviceScene::all), where each scene is followed by the samples in
     /// the others' fields.
     pub fn new(device: &Device, capacities: Vec<Capacity>) -> Result<Self> {
-        let counts = device.zeros("counts", COUNTS as usize * capacities.len())?;
+        let counts = device.upload("counts", &NO_COUNTS.repeat(capacities.len()))?;
         Ok(Self { counts: Arc::new(counts), capacities, index: 0 })
     }
 
@@ -132,6 +139,11 @@ impl PartCounts {
         let kernel = LossCheckKernel { params, row_sum, counts: &*self.counts };
         device.run(&kernel, params.rows, 1)?;
         self.clear_on_overflow(device, &[pair_mask], &[])
+    }
+
+    /// `items`; none if a part has failed.
+    pub fn unless_failed(&self, items: u32) -> Count {
+        Count::on_device(&self.counts, ALL, items)
     }
 
     /// The number at a slot.

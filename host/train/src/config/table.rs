@@ -13,7 +13,6 @@ use serde::{Deserialize, Serialize, Serializer};
 use super::LearnExposure;
 use organza_core::scene::{Contraction, GridConfig, MlpConfig};
 use organza_data::{Alpha, Background};
-use organza_render::CompositedTerm;
 
 /// A learning rate that falls from the first step to the last by a constant factor per step. See also
 /// [`OptimizerConfig::cooldown`].
@@ -214,13 +213,10 @@ macro_rules! define {
                 log_every: u32 = 10, in 1..;
             }
 
-            /// The loss `(1 - w) L1 + w (1 - SSIM)`, and its additional terms.
+            /// The loss `(1 - w) L1 + w (1 - SSIM)`.
             loss: LossConfig {
                 /// w, the weight of SSIM.
                 ssim_weight: f32 = 0.2, in 0.0..=1.0;
-                /// Weight of the distortion, which reduces haze; try 0.03.
-                #[see("#distortion")]
-                distortion_weight: f32 = 0.0, in 0.0..=1e3;
             }
 
             /// The exposure of each photograph.
@@ -356,14 +352,6 @@ macro_rules! define {
 }
 
 gaussian_tensors!(define);
-
-impl LossConfig {
-    /// The terms beside the image.
-    pub(crate) fn terms(&self) -> Vec<CompositedTerm> {
-        let terms = [CompositedTerm::distortion(self.distortion_weight)];
-        terms.into_iter().filter(|term| term.weight > 0.0).collect()
-    }
-}
 
 /// The hash grids of a new scene.
 fn grid() -> GridConfig {

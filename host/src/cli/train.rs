@@ -340,9 +340,10 @@ impl TrainJob<'_> {
         is_there.then(|| Ok(Scene::load_config(checkpoint)?.placement)).transpose()
     }
 
-    /// Number of pixels that the run draws in so many steps, or in the time that it should take.
-    fn pixels(&self, steps: u32, renderer: &Renderer) -> f64 {
-        let in_time = self.scheduled.map(|seconds| seconds * pixels_per_second(renderer));
+    /// Number of pixels that the run draws in so many steps, or in the time that it should take with so many Gaussians.
+    fn pixels(&self, steps: u32, gaussians: u32, renderer: &Renderer) -> f64 {
+        let in_time =
+            self.scheduled.map(|seconds| seconds * pixels_per_second(renderer, gaussians));
         in_time.unwrap_or(f64::from(steps) * self.config.run.pixels_per_step())
     }
 
@@ -355,16 +356,18 @@ impl TrainJob<'_> {
         console: Console,
     ) {
         let of = config::pixels(dataset);
-        let pixels = self.pixels(config.run.steps, renderer);
+        let gaussians = config.densification.max_gaussians;
+        let pixels = self.pixels(config.run.steps, gaussians, renderer);
         let per_step = config.run.pixels_per_step();
         let about = if self.scheduled.is_some() { "about " } else { "" };
-        let time = Duration::from_secs_f64(pixels / pixels_per_second(renderer));
+        let time = Duration::from_secs_f64(pixels / pixels_per_second(renderer, gaussians));
         console.note(&format!(
-            "planned: {about}{} of {} pixels, {} times those of {}; that takes about {} here",
+            "planned: {about}{} of {} pixels, {} times those of {}, and up to {}; that takes about {} here",
             count((pixels / per_step) as u64, "step"),
             grouped(per_step as u64),
             rounded(pixels / of),
             count(dataset.train.len() as u64, "photograph"),
+            count(gaussians.into(), "Gaussian"),
             HumanDuration(time),
         ));
     }
@@ -399,8 +402,11 @@ impl TrainJob<'_> {
         };
         let renderer = device.open_as(&of_rank(0), console)?;
         if self.shrinks {
-            let most = config.run.steps_for(f64::INFINITY, renderer.device().is_cpu_like());
-            config.data.downscale = data.shrink(self.pixels(most, &renderer), console)?;
+            let is_cpu_like = renderer.device().is_cpu_like();
+            let steps = config.run.steps_for(f64::INFINITY, is_cpu_like);
+            let gaussians = config.gaussians_for(f64::INFINITY, is_cpu_like);
+            let pixels = self.pixels(steps, gaussians, &renderer);
+            config.data.downscale = data.shrink(pixels, console)?;
         }
         if let Some(group) = &group {
             group.tell(&config, placement)?;
@@ -463,11 +469,12 @@ impl TrainJob<'_> {
     }
 }
 
-/// The pixels that training draws in a second: a guess, before the first step.
-fn pixels_per_second(renderer: &Renderer) -> f64 {
+/// The pixels that training draws in a second, with at most so many Gaussians: a guess, before the first step.
+fn pixels_per_second(renderer: &Renderer, gaussians: u32) -> f64 {
     let cores = thread::available_parallelism().map_or(1, usize::from);
-    // docs/performance.md: what a core of Zen 5 and an H200 do over a whole run
-    if renderer.device().is_cpu_like() { 3e5 * cores as f64 } else { 9e6 }
+    // docs/performance.md: what a core of Zen 5 and an H200 do over a whole run with 30,000 Gaussians
+    let usual = if renderer.device().is_cpu_like() { 3e5 * cores as f64 } else { 9e6 };
+    usual / (0.7 + 0.3 * f64::from(gaussians) / 30_000.0).max(1.0)
 }
 
 /// Says how much exposures differ, and whether they are learned.

@@ -57,6 +57,13 @@ const VISITS: f64 = 20.0;
 const FEWEST_STEPS: f64 = 8000.0;
 /// and the most, on a CPU and on a GPU.
 const MOST_STEPS: [f64; 2] = [10_000.0, 100_000.0];
+/// Pixels of photographs, drawn as often, for each of a GPU's Gaussians, where settings leave their number open. 3D Gaussian
+/// Splatting has about as many.
+const PIXELS_PER_GAUSSIAN: f64 = 500.0;
+/// Such a run's fewest Gaussians, which are a CPU's,
+const FEWEST_GAUSSIANS: f64 = 30_000.0;
+/// and most.
+const MOST_GAUSSIANS: f64 = 300_000.0;
 
 impl RunConfig {
     /// Number of pixels that a step draws.
@@ -76,11 +83,6 @@ impl RunConfig {
         let steps = VISITS * pixels / self.pixels_per_step();
         // a round number
         (100.0 * (steps / 100.0).ceil()).clamp(FEWEST_STEPS, most) as u32
-    }
-
-    /// Chooses the number of steps, if it is open.
-    pub(crate) fn choose_steps(&mut self, dataset: &Dataset, device: &Device) {
-        self.steps = self.steps_for(pixels(dataset), device.is_cpu_like());
     }
 
     /// The part of the run that is done before `step`, 0 to 1. Learning rates and densification follow it.
@@ -114,6 +116,29 @@ impl RunConfig {
 }
 
 impl TrainConfig {
+    /// The largest number of Gaussians for photographs of so many pixels in all, on a device [like a CPU](Device::is_cpu_like) or
+    /// on a GPU: the settings' own, or one for 500 pixels that the run's steps draw 20 times, within limits.
+    #[must_use]
+    pub fn gaussians_for(&self, pixels: f64, is_cpu_like: bool) -> u32 {
+        if self.densification.max_gaussians > 0 {
+            return self.densification.max_gaussians;
+        }
+        let steps = f64::from(self.run.steps_for(pixels, is_cpu_like));
+        let filled = pixels.min(steps * self.run.pixels_per_step() / VISITS);
+        let gaussians = filled / PIXELS_PER_GAUSSIAN;
+        let most = if is_cpu_like { FEWEST_GAUSSIANS } else { MOST_GAUSSIANS };
+        // a round number
+        let gaussians = 1000.0 * (gaussians / 1000.0).ceil();
+        (gaussians.clamp(FEWEST_GAUSSIANS, most) as u32).max(self.start.gaussians)
+    }
+
+    /// Chooses the numbers of steps and of Gaussians, if they are open.
+    pub(crate) fn choose(&mut self, dataset: &Dataset, device: &Device) {
+        let pixels = pixels(dataset);
+        self.run.steps = self.run.steps_for(pixels, device.is_cpu_like());
+        self.densification.max_gaussians = self.gaussians_for(pixels, device.is_cpu_like());
+    }
+
     /// Whether a step trains the transmittance field and the extra values, too.
     pub(crate) fn learns_transmittance(&self, step: u32) -> bool {
         self.ablation.learn_transmittance && step.is_multiple_of(self.optimizer.transmittance_every)
@@ -129,13 +154,13 @@ impl TrainConfig {
     }
 
     /// Sets the values that depend on the data set and the device, so that the run's file records them: the photographs'
-    /// background, whether exposures are learned, and the number of steps.
+    /// background, whether exposures are learned, and the numbers of steps and of Gaussians.
     pub fn resolve(&mut self, dataset: &Dataset, device: &Device) {
         if self.data.path.is_some() {
             self.data.background = Background::Color(dataset.background.map(|value| value as f32));
         }
         self.exposure.learn = self.exposure.learn.decide(dataset).into();
-        self.run.choose_steps(dataset, device);
+        self.choose(dataset, device);
     }
 
     /// The configuration of a run's scene.

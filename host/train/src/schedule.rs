@@ -112,6 +112,7 @@ mod tests {
     fn run(seconds: f64, cost: impl Fn(f64, f64) -> f64) -> (f64, TrainConfig) {
         let mut config = TrainConfig::default();
         config.run.evaluate_views = 5;
+        config.densification.max_gaussians = 30_000;
         let start = f64::from(config.start.gaussians);
         let evaluation = 4.0;
         let mut scheduler = Scheduler::new(seconds, 10);

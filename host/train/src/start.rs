@@ -338,7 +338,8 @@ mod tests {
 
     #[test]
     fn gaussians_are_spread_where_cameras_see_them() {
-        let config = TrainConfig::default();
+        let mut config = TrainConfig::default();
+        config.densification.max_gaussians = 2000;
         let cameras = circle();
         let target = Target::from_cameras(&cameras);
         let places = scatter(&target, &cameras, 500, &mut random(0, PLACES, 1));
@@ -370,7 +371,8 @@ mod tests {
 
     #[test]
     fn points_give_places_colors_and_a_box_without_outliers() {
-        let config = TrainConfig::default();
+        let mut config = TrainConfig::default();
+        config.densification.max_gaussians = 2000;
         let mut points: Vec<_> = (0..1000)
             .map(|i| {
                 let t = f64::from(i) * 0.1;

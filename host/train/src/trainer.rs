@@ -88,10 +88,11 @@ impl Trainer {
     /// [`Error::Invalid`] where a setting is out of range or no frame is left to train on; as [`Renderer::upload`].
     pub fn start(
         renderer: &Renderer,
-        config: TrainConfig,
+        mut config: TrainConfig,
         dataset: impl Into<Arc<Dataset>>,
     ) -> Result<Self> {
         let dataset = dataset.into();
+        config.choose(&dataset, renderer.device());
         let scene = start::first_scene(&config, &dataset, &mut |_| Ok(()))?;
         let checkpoint = Checkpoint::begin(scene, &config)?;
         Self::resume(renderer, config, dataset, &checkpoint)
@@ -109,7 +110,7 @@ impl Trainer {
     ) -> Result<Self> {
         let dataset = dataset.into();
         check(&config, &dataset)?;
-        config.run.choose_steps(&dataset, renderer.device());
+        config.choose(&dataset, renderer.device());
         if checkpoint.scene.config.placement != dataset.placement {
             let reason = "the scene has other coordinates than the data set: read the data set with \
                           `DatasetOptions::placement` and the scene's `config.placement`";

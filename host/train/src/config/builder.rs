@@ -109,8 +109,10 @@ impl ConfigBuilder {
     /// [`Error::Invalid`] for a value that is not of its type.
     pub fn limit_start(self) -> Result<Self> {
         let config = self.parse().map_err(invalid)?;
-        let gaussians = config.start.gaussians.min(config.densification.max_gaussians);
-        self.set(&format!("start.gaussians={gaussians}"))
+        match config.densification.max_gaussians {
+            0 => Ok(self),
+            max => self.set(&format!("start.gaussians={}", config.start.gaussians.min(max))),
+        }
     }
 
     /// Returns the combined settings.
@@ -237,7 +239,7 @@ impl TrainConfig {
         self.check_schedule()?;
         let first = self.start.gaussians;
         let max = self.densification.max_gaussians;
-        if first > max {
+        if max > 0 && first > max {
             return Err(format!(
                 "`start.gaussians` is {first}, more than the {max} of `densification.max_gaussians`"
             ));

@@ -324,9 +324,11 @@ macro_rules! define {
             /// How the number of Gaussians changes: Gaussians with the strongest gradient of their center are split,
             /// and transparent ones are removed.
             densification: DensificationConfig {
-                /// Largest number of Gaussians. The option also limits the first ones.
+                /// Largest number of Gaussians; 0: chosen from the photographs, the steps and the device. The option also
+                /// limits the first ones.
                 #[option("--max-gaussians <N>")]
-                max_gaussians: u32 = 30_000, in 1..;
+                #[see("#number-of-gaussians")]
+                max_gaussians: u32 = 0;
                 /// Steps between changes.
                 every: u32 = 100, in 1..;
                 /// First change, as a fraction of all steps.

@@ -151,6 +151,31 @@ fn a_run_is_as_long_as_its_photographs_are_many() {
 }
 
 #[test]
+fn a_gpu_has_as_many_gaussians_as_photographs_can_fill() {
+    let mut config = TrainConfig::default();
+    for (photographs, size, on_gpu) in [
+        (30, 270.0 * 480.0, 30_000),
+        (43, 960.0 * 720.0, 60_000),
+        (84, 1008.0 * 756.0, 129_000),
+        (100, 800.0 * 800.0, 128_000),
+        (300, 1600.0 * 1200.0, 300_000),
+    ] {
+        let pixels = f64::from(photographs) * size;
+        let gaussians = [true, false].map(|is_cpu_like| config.gaussians_for(pixels, is_cpu_like));
+        assert_eq!(gaussians, [30_000, on_gpu], "{photographs} photographs");
+    }
+    // so few steps draw 131 million pixels, which is 20 times 6.6 million
+    config.run.steps = 2_000;
+    assert_eq!(config.gaussians_for(64e6, false), 30_000);
+    config.run.steps = 20_000;
+    assert_eq!(config.gaussians_for(576e6, false), 132_000);
+    config.start.gaussians = 50_000;
+    assert_eq!(config.gaussians_for(64e6, true), 50_000);
+    config.densification.max_gaussians = 7;
+    assert_eq!(config.gaussians_for(64e6, false), 7);
+}
+
+#[test]
 fn exposures_are_learned_where_they_differ() {
     // ln(1.2) / 2 = 0.09 and ln(1.4) / 2 = 0.17
     let [alike, different] = [120, 140].map(|level| photographs([100, level]));

@@ -27,7 +27,7 @@ impl Session<'_> {
     ///
     /// # Errors
     /// Any error of a step, of the files, of the device or of `watch`. What was saved stays.
-    /// [`Error::Argument`](error::Error::Argument) if the number of steps is open.
+    /// [`Error::Argument`](error::Error::Argument) if the number of steps or of Gaussians is open.
     pub fn run(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Outcome> {
         self.run_with(resume, watch, &mut StepHooks::new())
     }
@@ -42,8 +42,10 @@ impl Session<'_> {
         watch: &mut Watch<'_>,
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
-        if self.config.run.steps == 0 {
-            return argument("the number of steps is open: call `TrainConfig::resolve` first");
+        if self.config.run.steps == 0 || self.config.densification.max_gaussians == 0 {
+            return argument(
+                "the number of steps or of Gaussians is open: call `TrainConfig::resolve` first",
+            );
         }
         let outcome = self.run_alone_or_first(resume, watch, hooks);
         if let (Some(ranks), Err(error)) = (&self.ranks, &outcome) {

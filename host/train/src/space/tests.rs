@@ -59,7 +59,9 @@ fn points(places: impl IntoIterator<Item = DVec3>) -> Vec<Point> {
 }
 
 fn box_of(cameras: &[Camera], points: &[Point]) -> [DVec3; 2] {
-    let scene = start(&TrainConfig::default(), [0.0; 3], cameras, points).unwrap();
+    let mut config = TrainConfig::default();
+    config.densification.max_gaussians = 30_000;
+    let scene = start(&config, [0.0; 3], cameras, points).unwrap();
     scene.validate().unwrap();
     scene.config.aabb.map(DVec3::from)
 }

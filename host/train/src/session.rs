@@ -46,7 +46,7 @@ use organza_render::{DeviceScene, Renderer};
 pub struct Session<'a> {
     /// Renders and trains.
     pub renderer: &'a Renderer,
-    /// All settings, [resolved](TrainConfig::resolve).
+    /// All settings. Open numbers of steps and of Gaussians are chosen.
     pub config: &'a TrainConfig,
     /// The photographs.
     pub dataset: &'a Arc<Dataset>,

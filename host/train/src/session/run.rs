@@ -15,7 +15,7 @@ use crate::{
     Change, Checkpoint, Event, Outcome, Progress, Session, StepHooks, StepReport, Trainer, Watch,
 };
 use organza_core::camera::Camera;
-use organza_core::error::{self, Result, argument};
+use organza_core::error::{self, Result};
 use organza_core::scene::Scene;
 
 /// A trainer, the progress of its run, and the settings that have changed.
@@ -27,7 +27,6 @@ impl Session<'_> {
     ///
     /// # Errors
     /// Any error of a step, of the files, of the device or of `watch`. What was saved stays.
-    /// [`Error::Argument`](error::Error::Argument) if the number of steps or of Gaussians is open.
     pub fn run(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Outcome> {
         self.run_with(resume, watch, &mut StepHooks::new())
     }
@@ -42,12 +41,11 @@ impl Session<'_> {
         watch: &mut Watch<'_>,
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
-        if self.config.run.steps == 0 || self.config.densification.max_gaussians == 0 {
-            return argument(
-                "the number of steps or of Gaussians is open: call `TrainConfig::resolve` first",
-            );
-        }
-        let outcome = self.run_alone_or_first(resume, watch, hooks);
+        let mut config = self.config.clone();
+        config.choose(self.dataset, self.renderer.device());
+        let command = self.command.clone();
+        let session = Session { config: &config, command, ranks: self.ranks.clone(), ..*self };
+        let outcome = session.run_alone_or_first(resume, watch, hooks);
         if let (Some(ranks), Err(error)) = (&self.ranks, &outcome) {
             ranks.fail(&error::chain(error));
         }

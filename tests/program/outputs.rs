@@ -32,11 +32,11 @@ fn no_file_of_a_run_or_a_data_set_is_replaced() {
         ("import splats.ply data -o data/transforms.json --steps 1", data),
         ("tiles run data/transforms.json tiles.json -o data/view-000.png", data),
         ("tiles run tiles.json -o data/view-000.png", data),
-        ("eval run --csv run/config.toml", run),
-        ("eval run --csv run/evaluations.csv", run),
-        ("eval run/checkpoint.safetensors data --csv run/metrics.jsonl", run),
         ("compare run other -o run/checkpoint.safetensors", run),
         ("compare run other -o other/report.html", run),
+        ("tiles run tiles.json -o run/config.toml", run),
+        ("tiles run tiles.json -o run/evaluations.csv", run),
+        ("tiles run/checkpoint.safetensors data tiles.json -o run/metrics.jsonl", run),
         ("export run data -o data/points.ply --steps 0 --side 16", data),
         ("export run -o data/points.ply --steps 0 --side 16", data),
         ("film run data -o data/mask.png --frames 2", data),
@@ -45,8 +45,7 @@ fn no_file_of_a_run_or_a_data_set_is_replaced() {
         ("export-web run data --single-file -o run/report.html", run),
     ] {
         // as it would have been
-        let mut output =
-            words.split_whitespace().skip_while(|word| !["-o", "--csv"].contains(word));
+        let mut output = words.split_whitespace().skip_while(|word| *word != "-o");
         let output = sandbox.path(output.nth(1).expect("an output"));
         if !output.exists() {
             fs::write(output, "a file of the run").unwrap();
@@ -59,7 +58,7 @@ fn no_file_of_a_run_or_a_data_set_is_replaced() {
     }
     // a file of the user's own in the run's folder is none of the run's
     for _ in 0..2 {
-        sandbox.run("eval run --csv run/scores.csv --backend cpu").assert_ok();
+        sandbox.run("tiles run tiles.json -o run/tiles.safetensors --backend cpu").assert_ok();
     }
 }
 
@@ -143,7 +142,7 @@ fn paths_need_not_be_utf8() {
     for words in [
         "train views --config tiny.toml --steps 2 -o @/run --backend cpu",
         "train --resume @/run --steps 4 --backend cpu",
-        "eval @/run --csv @/scores.csv --backend cpu",
+        "eval @/run --backend cpu",
         "edit @/run -o @/new.safetensors --scale 2 --backend cpu",
         "render @/run -o @/images --channels depth --backend cpu",
         "film @/run -o @/film.png --frames 2 --size 16x16 --backend cpu",

@@ -110,7 +110,7 @@ fn a_run_keeps_the_fit_of_its_export() {
     assert!(!export("first.ply").0);
     sandbox.run("train --resume run --steps 4 --backend cpu").assert_ok();
     assert!(!export("first.ply").0);
-    sandbox.assert_refuses("eval run --csv run/export.fit", &["a file of the run"]);
+    sandbox.assert_refuses("tiles run tiles.json -o run/export.fit", &["a file of the run"]);
     // without steps nothing is kept, and a loss is said
     let words = "export run --steps 0 --side 16 --backend cpu -o quick.ply";
     let quick = sandbox.run(words).assert_ok().stderr;

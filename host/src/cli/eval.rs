@@ -11,7 +11,6 @@ use organza::{DeviceScene, Evaluation, Renderer, Result};
 use super::console::{Console, print, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, DataSet, SceneSource, Split};
-use super::output;
 use super::picture::warn_not_finite;
 use super::summary::{Table, count, score};
 
@@ -21,7 +20,6 @@ Examples:
   organza eval run --split train
   organza eval scene.safetensors data/lego --background white --json
   organza eval run data/garden --downscale 4
-  organza eval run --csv scores.csv
   organza eval run --fit-colors
 
 A run's folder says what the run was trained on, the built-in scene included, and which frames were held out. \
@@ -44,9 +42,6 @@ pub struct Args {
     /// from 0 to 1 such as 1,1,1 [default: the scene's background]
     #[arg(long, value_name = "COLOR")]
     background: Option<Background>,
-    /// Also write a table with a row for each view, CSV
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
     /// Also measure PSNR with a gain and an offset for each channel: each half of an image, left and right, is measured
     /// with the fit of the other half. A run that learned exposures always has it
     #[arg(long)]
@@ -64,10 +59,6 @@ pub struct Args {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let evaluation = args.evaluate(console)?;
-    if let Some(csv) = &args.csv {
-        evaluation.save_csv(csv)?;
-        console.note(&format!("wrote {}", csv.display()));
-    }
     if args.json { print_json(&evaluation) } else { print(&table(&evaluation)) }
 }
 
@@ -81,10 +72,6 @@ impl Args {
         if split == Split::All {
             // Frames that the run held out are measured like all others.
             settings.hold_out_every = 0;
-        }
-        if let Some(csv) = &self.csv {
-            let inputs = [Some(source.named()), self.data.as_deref()];
-            output::check_file(csv, &inputs.into_iter().flatten().collect::<Vec<_>>())?;
         }
         let scene = source.load(console)?;
         let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);

@@ -160,15 +160,6 @@ pub(crate) fn evaluate_view(
 }
 
 impl Evaluation {
-    /// Writes a CSV table with a row for each view, atomically. The columns are `view`, `psnr`, `ssim`, and
-    /// `psnr_fitted` if it was measured. A missing score is empty; an infinite PSNR is `inf`.
-    ///
-    /// # Errors
-    /// [`Error::WriteFile`].
-    pub fn save_csv(&self, path: impl AsRef<std::path::Path>) -> Result<()> {
-        save_csv(path, &self.views.iter().map(|view| (None, view)).collect::<Vec<_>>())
-    }
-
     /// Joins evaluations of parts of the frames, in order.
     pub(crate) fn join(parts: Vec<Self>) -> Self {
         let not_finite = parts.iter().map(|part| part.not_finite).sum();
@@ -265,30 +256,18 @@ fn displayed(value: f32) -> f32 {
     if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
 }
 
-/// Writes the scores of views, atomically: `view,psnr,ssim,psnr_fitted`, after `step` if rows have one. The
+/// Writes the scores of views, atomically: `step,view,psnr,ssim,psnr_fitted`. The
 /// last column is left out if no view has it. An infinite PSNR is `inf`; a missing score is empty.
-pub(crate) fn save_csv(path: impl AsRef<Path>, rows: &[(Option<u64>, &ViewScore)]) -> Result<()> {
-    let has = |value: fn(&Score) -> Option<f64>| {
-        rows.iter().any(|(_, view)| value(&view.score).is_some())
-    };
-    let is_shown = [
-        rows.iter().any(|(step, _)| step.is_some()),
-        true,
-        true,
-        true,
-        has(|score| score.psnr_fitted),
-    ];
-    let shown = |cells: [String; 5]| {
-        cells.into_iter().zip(is_shown).filter_map(|(cell, is_shown)| is_shown.then_some(cell))
-    };
+pub(crate) fn save_csv(path: impl AsRef<Path>, rows: &[(u64, &ViewScore)]) -> Result<()> {
+    let has_fitted = rows.iter().any(|(_, view)| view.score.psnr_fitted.is_some());
+    let shown = |cells: [String; 5]| cells.into_iter().take(if has_fitted { 5 } else { 4 });
     write_atomic(path, |writer| {
         let mut table = ::csv::Writer::from_writer(writer);
         let head = ["step", "view", "psnr", "ssim", "psnr_fitted"].map(str::to_owned);
         table.write_record(shown(head)).map_err(io::Error::other)?;
         for (step, ViewScore { name, score }) in rows {
-            let step = step.map_or(String::new(), |step| step.to_string());
             let [psnr, ssim, fitted] = [score.psnr, score.ssim, score.psnr_fitted].map(number);
-            let row = shown([step, name.clone(), psnr, ssim, fitted]);
+            let row = shown([step.to_string(), name.clone(), psnr, ssim, fitted]);
             table.write_record(row).map_err(io::Error::other)?;
         }
         table.flush()

@@ -127,19 +127,6 @@ fn scores_of_a_run_are_a_table() {
     }
     assert!(expected.len() >= 4, "evaluations after 5, 10 and 12 steps: {expected:?}");
     assert_eq!(rows(&sandbox.path("run").join(EVALUATIONS)), expected);
-
-    let json = sandbox.run("eval run --backend cpu --json --csv scores.csv").json();
-    let found = rows(&sandbox.path("scores.csv"));
-    assert_eq!(found[0], ["view", "psnr", "ssim"]);
-    let views = json["views"].as_array().unwrap();
-    assert_eq!(found.len(), 1 + views.len());
-    for (row, view) in found[1..].iter().zip(views) {
-        assert_eq!(row[0], view["name"].as_str().unwrap());
-        for (cell, score) in row[1..].iter().zip(["psnr", "ssim"]) {
-            assert_eq!(cell.parse::<f64>().unwrap(), view[score].as_f64().unwrap());
-        }
-    }
-    sandbox.assert_refuses("eval run --csv run/checkpoint.safetensors", &["checkpoint", "replace"]);
 }
 
 #[test]

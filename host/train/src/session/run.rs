@@ -125,7 +125,7 @@ impl Session<'_> {
         let path = self.folder.path().join(EVALUATIONS);
         let rows = records.iter().flat_map(|record| match record {
             Record::Evaluation { step, views, .. } => {
-                views.iter().map(|view| (Some(*step), view)).collect()
+                views.iter().map(|view| (*step, view)).collect()
             }
             _ => Vec::new(),
         });

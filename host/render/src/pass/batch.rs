@@ -22,7 +22,7 @@ use crate::gradient::SceneGradient;
 use crate::gradient::ranks::{self, Rows};
 use crate::loss::compare::LossSource;
 use crate::scene::device_scene::DeviceScene;
-use crate::stages::counts::{Capacity, PartCounts};
+use crate::stages::counts::{Capacity, NO_COUNTS, PartCounts};
 use crate::stages::cut::{Limits, PartTiles, by_camera, cut};
 use muslin_device::{Buffer, Count, Device};
 use organza_core::error::argument;
@@ -203,11 +203,14 @@ impl<'a> Pass<'a> {
             at.is_for_gradients = keep;
             let predicted = || self.renderer.predictor().predict(self.kind(at), self.size(at));
             let capacity = if predicts { at.needed.or_else(predicted) } else { None };
-            let counts = capacity.map(|capacity| match self.queued {
-                Some(counts) => Ok(PartCounts::with(counts.clone(), capacity)),
-                None => PartCounts::new(self.device(), vec![capacity]),
-            });
-            let counts = counts.transpose()?;
+            let counts = |capacity| -> Result<PartCounts> {
+                let counts = match self.queued {
+                    Some(counts) => counts.clone(),
+                    None => Arc::new(self.device().upload("counts", &NO_COUNTS)?),
+                };
+                Ok(PartCounts::with(counts, capacity))
+            };
+            let counts = capacity.map(counts).transpose()?;
             at.part = Some(Part::evaluate(self.scene, self.cameras, &at.part_tiles, keep, counts)?);
         }
         Ok(at.part.as_ref().expect("it was just made"))

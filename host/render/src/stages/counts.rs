@@ -61,7 +61,7 @@ impl Capacity {
     }
 }
 
-/// Counts of a part before its first number.
+/// Counts of parts before the first number, for [`PartCounts::with`].
 pub const NO_COUNTS: [u32; COUNTS as usize] = {
     let mut counts = [0; COUNTS as usize];
     counts[ALL as usize] = u32::MAX;
@@ -83,11 +83,11 @@ impl PartCounts {
     /// No counts yet: those of a scene alone, or of [all](crate::DeviceScene::all), where each scene is followed by the samples in
     /// the others' fields.
     pub fn new(device: &Device, capacities: Vec<Capacity>) -> Result<Self> {
-        let counts = device.upload("counts", &NO_COUNTS.repeat(capacities.len()))?;
+        let counts = device.zeros("counts", COUNTS as usize * capacities.len())?;
         Ok(Self { counts: Arc::new(counts), capacities, index: 0 })
     }
 
-    /// Those of a scene alone, in a buffer `[COUNTS]`. If a part before has raised [`OVERFLOW`] there, this one is empty, too.
+    /// Those of a scene alone, in a buffer of [`NO_COUNTS`]. If a part before has raised [`OVERFLOW`] there, this one is empty, too.
     pub fn with(counts: Arc<Buffer<u32>>, capacity: Capacity) -> Self {
         Self { counts, capacities: vec![capacity], index: 0 }
     }

@@ -286,22 +286,15 @@ impl TensorGradient {
         Ok(device.read_range(&self.buffer, self.range.start, self.range.len())?)
     }
 
-    /// Reads the gradient's values into memory of the caller's. A network's values are as on a device, see
-    /// [`SceneGradient::download`].
-    ///
-    /// # Errors
-    /// [`Error::Argument`] if the number of values differs from the tensor's; as [`Device::read`].
-    pub fn read_into(&self, device: &Device, values: &mut [f32]) -> Result<()> {
-        self.check_len(values.len())?;
-        Ok(device.read_into(&self.buffer, self.range.start, values)?)
-    }
-
     /// Replaces the gradient's values. Sets the flags of a hash grid's blocks that are not all zero.
     ///
     /// # Errors
     /// [`Error::Argument`] if the number of values differs from the tensor's; as [`Device::write`].
     pub fn write(&self, device: &Device, values: &[f32]) -> Result<()> {
-        self.check_len(values.len())?;
+        let [found, expected] = [values.len(), self.range.len()];
+        if found != expected {
+            return argument(format!("found {found} values for a gradient, expected {expected}"));
+        }
         device.write(&self.buffer, self.range.start, values)?;
         let Some(touched) = &self.touched else { return Ok(()) };
         let mut flags = device.read(touched)?;
@@ -309,14 +302,6 @@ impl TensorGradient {
             *flag |= u32::from(block.iter().any(|&value| value != 0.0));
         }
         Ok(device.write(touched, 0, &flags)?)
-    }
-
-    fn check_len(&self, found: usize) -> Result<()> {
-        let expected = self.range.len();
-        if found == expected {
-            return Ok(());
-        }
-        argument(format!("found {found} values for a gradient, expected {expected}"))
     }
 }
 

@@ -172,7 +172,7 @@ impl Tape {
     }
 
     /// Like [`Tape::backward`], into buffers that are kept from one batch to the next. Their values before do not
-    /// matter. [`TensorGradient::read_into`](crate::TensorGradient::read_into) and [`SceneGradient::download`] read
+    /// matter. [`TensorGradient::read`](crate::TensorGradient::read) and [`SceneGradient::download`] read
     /// them.
     ///
     /// # Errors

@@ -114,19 +114,3 @@ fn is_at(file: &File, path: &Path) -> bool {
 fn is_at(_: &File, _: &Path) -> bool {
     true
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn one_at_a_time() {
-        let folder = tempfile::tempdir().unwrap();
-        let lock = || FolderLock::take(folder.path()).unwrap();
-        let first = lock().unwrap();
-        assert_eq!(lock().unwrap_err(), own_name());
-        drop(first);
-        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-        drop(lock().unwrap());
-    }
-}

@@ -557,9 +557,6 @@ impl SettingsArgs {
             builder = builder.file(path)?;
         }
         builder = self.adjusted(builder)?;
-        if self.options.get("densification.max_gaussians").is_some() {
-            builder = builder.limit_start()?;
-        }
         let shrinks = !builder.has("data", "downscale");
         let mut config = builder.build()?;
         if let Some(data) = data {

@@ -132,6 +132,14 @@ impl TrainConfig {
         (gaussians.clamp(FEWEST_GAUSSIANS, most) as u32).max(self.start.gaussians)
     }
 
+    /// Number of the first Gaussians if the data set has no points.
+    pub(crate) fn first_gaussians(&self) -> u32 {
+        match self.densification.max_gaussians {
+            0 => self.start.gaussians,
+            max => self.start.gaussians.min(max),
+        }
+    }
+
     /// Chooses the numbers of steps and of Gaussians, if they are open.
     pub(crate) fn choose(&mut self, dataset: &Dataset, device: &Device) {
         let pixels = pixels(dataset);

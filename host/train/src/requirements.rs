@@ -29,7 +29,7 @@ impl TrainConfig {
         // The photographs and their points are not known yet.
         let [photographs, gaussians] = match self.data.path {
             Some(_) => [0, 1],
-            None => [built_in_bytes(self), u64::from(self.start.gaussians)],
+            None => [built_in_bytes(self), u64::from(self.first_gaussians())],
         };
         let scene = scene_bytes(self, gaussians);
         let [views, tiles, moments] = [photographs, step, scene].map(format_bytes);

@@ -166,10 +166,10 @@ pub fn from_splats(
 /// # Errors
 /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
 fn suggested(config: &TrainConfig, frames: &[&Frame]) -> Result<[Vec<Point>; 2]> {
-    requirements::check_scene(config, u64::from(config.start.gaussians))?;
+    requirements::check_scene(config, config.first_gaussians().into())?;
     let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
     let target = Target::from_cameras(&cameras);
-    let count = config.start.gaussians as usize;
+    let count = config.first_gaussians() as usize;
     let seed = config.run.seed;
     let found = sweep::points(frames, target.distance, count, seed);
     let rest = scatter(&target, &cameras, count - found.len(), &mut random(seed, PLACES, 1));

@@ -103,18 +103,6 @@ impl ConfigBuilder {
         self.given.get(group).is_some_and(|group| group.get(name).is_some())
     }
 
-    /// Lowers `start.gaussians` to `densification.max_gaussians` if it is more.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] for a value that is not of its type.
-    pub fn limit_start(self) -> Result<Self> {
-        let config = self.parse().map_err(invalid)?;
-        match config.densification.max_gaussians {
-            0 => Ok(self),
-            max => self.set(&format!("start.gaussians={}", config.start.gaussians.min(max))),
-        }
-    }
-
     /// Returns the combined settings.
     ///
     /// # Errors
@@ -236,15 +224,7 @@ impl TrainConfig {
                     .to_owned(),
             );
         }
-        self.check_schedule()?;
-        let first = self.start.gaussians;
-        let max = self.densification.max_gaussians;
-        if max > 0 && first > max {
-            return Err(format!(
-                "`start.gaussians` is {first}, more than the {max} of `densification.max_gaussians`"
-            ));
-        }
-        Ok(())
+        self.check_schedule()
     }
 }
 

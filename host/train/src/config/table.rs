@@ -324,8 +324,8 @@ macro_rules! define {
             /// How the number of Gaussians changes: Gaussians with the strongest gradient of their center are split,
             /// and transparent ones are removed.
             densification: DensificationConfig {
-                /// Largest number of Gaussians; 0: chosen from the photographs, the steps and the device. The option also
-                /// limits the first ones.
+                /// Largest number of Gaussians, also of the first ones; 0: chosen from the photographs, the steps and the
+                /// device.
                 #[option("--max-gaussians <N>")]
                 #[see("#number-of-gaussians")]
                 max_gaussians: u32 = 0;

@@ -28,7 +28,6 @@ fn mistakes_are_named() {
         ("[loss]\nssim_weight = nan", "`loss.ssim_weight` is NaN"),
         ("[optimizer.grids]\nfirst = 0.1\nlast = 0.0", "`optimizer.grids.last` is 0"),
         ("[data]\nalpha = 'magic'", "unknown variant `magic`"),
-        ("[densification]\nmax_gaussians = 9", "`start.gaussians` is 12000, more than the 9 of"),
         ("[data]\nhold_out_every = 1", "`data.hold_out_every` is 1, which leaves nothing"),
         ("steps", "line 1:"),
         ("[run]\ntiles_per_step = 100000000", "at most 174762 of side 64"),

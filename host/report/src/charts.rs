@@ -1,4 +1,4 @@
-//! The curves of runs: numbers that `page.js` draws with uPlot.
+//! The curves of a run: numbers that `page.js` draws with uPlot.
 
 use serde::Serialize;
 
@@ -7,8 +7,6 @@ use organza_train::metrics::Record;
 
 /// Largest number of points in a curve. A longer one is thinned to every second, third, ... point.
 const MAX_POINTS: usize = 4000;
-/// Number of colors in the style sheet, besides `--batch` and `--held-out`.
-const COLORS: usize = 8;
 
 /// The data that `page.js` reads.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -48,8 +46,6 @@ pub(super) enum Scale {
 pub(super) enum Style {
     /// Values, with their running mean in front.
     Noise,
-    /// Only the running mean.
-    Mean,
     /// A mark at each value.
     Marks,
     /// A step curve: each value holds until the next.
@@ -58,10 +54,9 @@ pub(super) enum Style {
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Series {
-    pub name: String,
+    pub name: &'static str,
     /// A variable of the style sheet.
-    pub color: String,
-    pub dash: bool,
+    pub color: &'static str,
     pub style: Style,
     /// Index of the curve's table.
     pub table: usize,
@@ -106,42 +101,30 @@ fn speed(record: &Record) -> f64 {
     if let Record::Step { tiles_per_second, .. } = record { *tiles_per_second } else { f64::NAN }
 }
 
-/// Records of steps and of evaluations, thinned for drawing, with their tables.
+/// Records of steps and of evaluations, thinned for drawing: those of tables 0 and 1.
 struct Source<'a> {
     steps: Vec<&'a Record>,
     evaluations: Vec<&'a Record>,
-    /// Index of the table of steps; the table of evaluations follows.
-    table: usize,
 }
 
 impl<'a> Source<'a> {
-    fn new(run: &'a Run, charts: &mut Charts) -> Self {
+    fn new(run: &'a Run) -> Self {
         let of = |is: fn(&Record) -> bool| -> Vec<&Record> {
             thinned(run.records.iter().filter(|record| is(record)).collect(), MAX_POINTS)
         };
-        let steps = of(|record| matches!(record, Record::Step { .. }));
-        let evaluations = of(|record| matches!(record, Record::Evaluation { .. }));
-        let table = charts.tables.len();
-        charts.tables.extend([Table::from_records(&steps), Table::from_records(&evaluations)]);
-        Self { steps, evaluations, table }
+        Self {
+            steps: of(|record| matches!(record, Record::Step { .. })),
+            evaluations: of(|record| matches!(record, Record::Evaluation { .. })),
+        }
     }
 
-    fn series_of_steps(
-        &self,
-        name: &str,
-        color: &str,
-        style: Style,
-        scale: Scale,
-        value: Value,
-    ) -> Series {
+    fn of_steps(&self, name: &'static str, style: Style, scale: Scale, value: Value) -> Series {
         let y = self.steps.iter().map(|record| drawn(value(record), scale)).collect();
-        let name = name.to_owned();
-        let color = format!("--{color}");
-        Series { name, color, dash: false, style, table: self.table, y }
+        Series { name, color: "--batch", style, table: 0, y }
     }
 
     /// PSNR or SSIM of the held-out views.
-    fn held_out(&self, name: &str, color: &str, is_psnr: bool) -> Series {
+    fn held_out(&self, is_psnr: bool) -> Series {
         let value = |record: &&Record| match record {
             Record::Evaluation { psnr, ssim, .. } => {
                 (if is_psnr { psnr } else { ssim }).unwrap_or(f64::NAN).into()
@@ -149,14 +132,12 @@ impl<'a> Source<'a> {
             _ => Number(None),
         };
         let y = self.evaluations.iter().map(value).collect();
-        let name = name.to_owned();
-        let color = format!("--{color}");
-        Series { name, color, dash: false, style: Style::Marks, table: self.table + 1, y }
+        Series { name: "held-out views", color: "--held-out", style: Style::Marks, table: 1, y }
     }
 }
 
 impl Table {
-    fn from_records(records: &[&Record]) -> Self {
+    fn new(records: &[&Record]) -> Self {
         let seconds = |record: &&Record| match record {
             Record::Step { seconds, .. } | Record::Evaluation { seconds, .. } => (*seconds).into(),
             _ => Number(None),
@@ -181,61 +162,24 @@ pub(super) fn thinned<T>(all: Vec<T>, max: usize) -> Vec<T> {
 }
 
 impl Charts {
-    /// The charts of one run.
+    /// The charts of a run.
     pub fn from_run(run: &Run) -> Self {
-        let mut charts = Self::default();
-        let source = Source::new(run, &mut charts);
+        let source = Source::new(run);
+        let tables = [&source.steps, &source.evaluations].map(|records| Table::new(records));
+        let mut charts = Self { tables: tables.into(), charts: Vec::new() };
         for (title, unit, scale, digits, value) in STEP_CHARTS {
-            let mut series =
-                vec![source.series_of_steps("training batch", "batch", Style::Noise, scale, value)];
+            let mut series = vec![source.of_steps("training batch", Style::Noise, scale, value)];
             if ["PSNR", "SSIM"].contains(&title) {
-                series.push(source.held_out("held-out views", "held-out", title == "PSNR"));
+                series.push(source.held_out(title == "PSNR"));
             }
             charts.add(Chart { title, unit, scale, digits, series });
         }
-        let zero = Scale::Zero;
-        let series =
-            vec![source.series_of_steps("Gaussians", "batch", Style::Steps, zero, gaussians)];
-        charts.add(Chart { title: "Gaussians", unit: "", scale: zero, digits: Some(0), series });
-        let series = vec![source.series_of_steps("tiles", "batch", Style::Noise, zero, speed)];
-        let title = "Speed";
+        let scale = Scale::Zero;
+        let series = vec![source.of_steps("Gaussians", Style::Steps, scale, gaussians)];
+        charts.add(Chart { title: "Gaussians", unit: "", scale, digits: Some(0), series });
+        let series = vec![source.of_steps("tiles", Style::Noise, scale, speed)];
         let unit = "tiles per second";
-        charts.add(Chart { title, unit, scale: zero, digits: Some(1), series });
-        charts
-    }
-
-    /// The charts of several runs. Each curve has its run's name.
-    pub fn from_runs(runs: &[(String, Run)]) -> Self {
-        let mut charts = Self::default();
-        let sources: Vec<_> = runs.iter().map(|(_, run)| Source::new(run, &mut charts)).collect();
-        let series = |of: &dyn Fn(&Source<'_>, &str, &str) -> Series| -> Vec<Series> {
-            let curve = |(at, ((name, _), source)): (usize, (&(String, Run), &Source<'_>))| {
-                let series = of(source, name, &format!("run-{}", at % COLORS));
-                Series { dash: at / COLORS % 2 == 1, ..series }
-            };
-            runs.iter().zip(&sources).enumerate().map(curve).collect()
-        };
-        for (title, unit, is_psnr, digits) in
-            [("Held-out PSNR", "dB", true, 2), ("Held-out SSIM", "", false, 4)]
-        {
-            let series = series(&|source, name, color| source.held_out(name, color, is_psnr));
-            charts.add(Chart { title, unit, scale: Scale::Linear, digits: Some(digits), series });
-        }
-        let mut numbers = STEP_CHARTS.to_vec();
-        numbers.push(("Gaussians", "", Scale::Zero, Some(0), gaussians));
-        numbers.push(("Speed", "tiles per second", Scale::Zero, Some(1), speed));
-        for (title, unit, scale, digits, value) in numbers {
-            let unit = match title {
-                "PSNR" => "dB, training batches",
-                "SSIM" => "training batches",
-                _ => unit,
-            };
-            let style = if title == "Gaussians" { Style::Steps } else { Style::Mean };
-            let series = series(&|source, name, color| {
-                source.series_of_steps(name, color, style, scale, value)
-            });
-            charts.add(Chart { title, unit, scale, digits, series });
-        }
+        charts.add(Chart { title: "Speed", unit, scale, digits: Some(1), series });
         charts
     }
 

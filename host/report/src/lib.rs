@@ -1,11 +1,10 @@
-//! `report.html`: one page about a run, which opens offline, and a page that compares runs.
+//! `report.html`: one page about a run, which opens offline.
 //!
-//! A [`Reporter`] listens to a run, and keeps its page. A page is made only from the files in the runs' folders. It contains everything it shows: pictures in base64, and
+//! A [`Reporter`] listens to a run, and keeps its page. A page is made only from the files in the run's folder. It contains everything it shows: pictures in base64, and
 //! the numbers of the curves as JSON, which uPlot draws. A content security policy forbids every request, and every
 //! script but the page's own. Without scripts the page shows everything but the curves.
 
 mod charts;
-mod comparison;
 mod page;
 mod pictures;
 mod reporter;
@@ -14,12 +13,11 @@ mod single;
 #[cfg(test)]
 mod tests;
 
-pub use comparison::{Difference, differences, write_comparison};
 pub use reporter::Reporter;
-pub use run::{Run, Summary};
+pub use run::{Difference, Run, Summary, differences};
 pub use single::write_report;
 
-/// uPlot, which draws the curves of every page.
+/// uPlot, which draws the curves.
 pub const UPLOT_SCRIPT: &str = include_str!("assets/uPlot.iife.min.js");
 /// The style of uPlot.
 pub const UPLOT_STYLE: &str = include_str!("assets/uPlot.min.css");

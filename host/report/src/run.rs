@@ -1,5 +1,6 @@
 //! A run as read from its folder.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -164,6 +165,32 @@ impl Run {
             (std::array::from_fn(|at| sums[at].saturating_add(*event[at])), times + 1)
         })
     }
+}
+
+/// A setting that differs between runs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// The setting's name.
+    pub setting: String,
+    /// Value in each run, as in `config.toml`; `None` if it is not set.
+    pub values: Vec<Option<String>>,
+}
+
+/// The settings that differ between runs, in the order of `config.toml`, without `run.schedule`: no user sets it.
+pub fn differences<'a>(runs: impl IntoIterator<Item = &'a Run>) -> Vec<Difference> {
+    let lists: Vec<_> = runs.into_iter().map(|run| run.config.list()).collect();
+    let mut seen = BTreeSet::new();
+    let names = lists.iter().flatten().map(|(name, _)| name);
+    let names = names.filter(|name| *name != "run.schedule" && seen.insert(*name));
+    let value = |list: &Vec<(String, String)>, name: &str| {
+        list.iter().find(|(other, _)| other == name).map(|(_, value)| value.clone())
+    };
+    let difference = |name: &String| {
+        let values: Vec<_> = lists.iter().map(|list| value(list, name)).collect();
+        let is_one = values.windows(2).all(|pair| pair[0] == pair[1]);
+        (!is_one).then(|| Difference { setting: name.clone(), values })
+    };
+    names.filter_map(difference).collect()
 }
 
 /// The fields of an evaluation's record.

@@ -340,12 +340,6 @@ fn text_of_a_run_is_escaped() {
     for tag in ["dd", "code", "td", "span"] {
         assert!(texts(&page, tag).contains(&SHOWN), "{tag}: {:?}", texts(&page, tag));
     }
-    let runs = [(nasty(), run), ("other".to_owned(), self::run(&folder.path().join("b"), "", &[]))];
-    let page = elements(&comparison::html(&runs));
-    assert_alone(&page);
-    assert_eq!(texts(&page, "title"), [format!("{SHOWN}, other – organza")]);
-    let curve = series(&data(&page), "Held-out PSNR", NASTY);
-    assert_eq!(curve[0], [500, 1000]);
 }
 
 #[test]
@@ -394,7 +388,7 @@ fn a_long_run_is_thinned_out() {
 }
 
 #[test]
-fn comparisons_show_different_settings_and_common_views() {
+fn different_settings_are_found() {
     let folder = tempfile::tempdir().unwrap();
     // a schedule says what `--minutes` did, not what the user chose
     let text = "[run]\nseed = 7\nsteps = 2000\nschedule = [[0, 2000]]\n[data]\npath = \"garden\"\n";
@@ -410,20 +404,4 @@ fn comparisons_show_different_settings_and_common_views() {
         ("data.path".to_owned(), vec![None, value("\"garden\"")]),
     ];
     assert_eq!(found, expected);
-    let runs = [("a".to_owned(), first), ("b".to_owned(), second)];
-    let page = elements(&comparison::html(&runs));
-    assert_alone(&page);
-    let pictures: Vec<_> = page
-        .iter()
-        .filter_map(|element| element.attributes.get("alt"))
-        .map(String::as_str)
-        .collect();
-    assert_eq!(pictures, ["Rendering of y", "y, rendered by a", "y, rendered by b"]);
-    let cells = texts(&page, "td");
-    for row in [["a", "21.29", "0.6429"], ["run.seed", "0", "7"]] {
-        assert!(cells.windows(3).any(|cells| cells == row), "{row:?}: {cells:?}");
-    }
-    for name in ["a", "b"] {
-        assert_eq!(series(&data(&page), "Held-out SSIM", name)[0], [500, 1000]);
-    }
 }

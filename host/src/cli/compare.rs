@@ -4,34 +4,30 @@ use std::path::{Path, PathBuf};
 
 use organza::Result;
 use organza::data::Poses;
-use organza::train::report::{Difference, Run, differences, write_comparison};
+use organza::train::report::{Difference, Run, differences};
 use organza::train::{Binding, TrainConfig};
 use serde_json::json;
 
 use super::console::{Console, print, print_json};
 use super::inputs::SceneSource;
-use super::output::check_file;
 use super::summary::{Table, grouped, score};
 use super::{refuse, text_of};
 
 const EXAMPLES: &str = "\
 Examples:
   organza compare run other
-  organza compare runs/* -o comparison.html
+  organza compare runs/*
 
-Prints how close each run came to its held-out views, and the settings that differ. The page shows the same, \
-the curves of all runs in one plot, and their pictures of the same held-out views. It opens offline.";
+Prints how close each run came to its held-out views, and the settings that differ. Each run's report.html has its curves \
+and pictures.";
 
-/// Compare training runs: curves, settings, results and pictures on one page
+/// Compare training runs: their results, and the settings that differ
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The runs' folders
     #[arg(value_name = "RUN", required = true, num_args = 2..)]
     runs: Vec<PathBuf>,
-    /// The page to write
-    #[arg(short, long, value_name = "FILE", default_value = "comparison.html")]
-    output: PathBuf,
     /// Print the results as JSON
     #[arg(long)]
     json: bool,
@@ -47,10 +43,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         runs.push((name, Run::load(folder)?));
     }
     warn_of_data(&args.runs, console)?;
-    check_file(&args.output, &args.runs.iter().map(PathBuf::as_path).collect::<Vec<&Path>>())?;
-    write_comparison(&args.output, &runs)?;
-    console.note(&format!("wrote {}", args.output.display()));
-    if args.json { print_json(&as_json(args, &runs)) } else { print(&as_text(&runs)) }
+    if args.json { print_json(&as_json(&runs)) } else { print(&as_text(&runs)) }
 }
 
 /// Warns of runs that were trained on different data, and of data that has changed since.
@@ -87,11 +80,10 @@ fn warn_of_data(folders: &[PathBuf], console: Console) -> Result<()> {
     Ok(())
 }
 
-fn as_json(args: &Args, runs: &[(String, Run)]) -> serde_json::Value {
+fn as_json(runs: &[(String, Run)]) -> serde_json::Value {
     let settings = differences(runs.iter().map(|(_, run)| run));
     let setting = |found: Difference| json!({ "name": found.setting, "values": found.values });
     json!({
-        "page": text_of(&args.output),
         "runs": runs.iter().map(result).collect::<Vec<_>>(),
         "settings": settings.into_iter().map(setting).collect::<Vec<_>>(),
     })

@@ -1,7 +1,6 @@
 //! Orbits: circles of cameras around a place.
 
 use std::f64::consts::TAU;
-use std::ops::RangeInclusive;
 
 use glam::{DMat3, DVec3};
 
@@ -50,12 +49,6 @@ pub struct Orbit {
 impl Orbit {
     /// Width and height of images in pixels, where no camera has a size.
     pub const SIZE: [u32; 2] = [640, 480];
-    /// Distances from the center that can be asked for, in world units.
-    pub const DISTANCES: RangeInclusive<f64> = f64::MIN_POSITIVE..=1e30;
-    /// Elevations that can be asked for, in degrees.
-    pub const ELEVATIONS: RangeInclusive<f64> = -89.0..=89.0;
-    /// Horizontal fields of view that can be asked for, in degrees.
-    pub const FIELDS_OF_VIEW: RangeInclusive<f64> = 1.0..=170.0;
 
     /// The orbit most like some given cameras: around the place that they look at, at their median distance and
     /// elevation. It starts where the first camera stands, with its image size and field of view.

@@ -44,7 +44,7 @@ function columns(chart) {
   const tables = chart.series.map(({ table, y, style }) => {
     const { step, seconds } = data.tables[table];
     const x = over === "step" ? step : seconds.map((value) => value / unit[0]);
-    return style === "noise" ? [x, y, mean(y)] : [x, style === "mean" ? mean(y) : y];
+    return style === "noise" ? [x, y, mean(y)] : [x, y];
   });
   return uPlot.join(tables);
 }
@@ -54,7 +54,6 @@ function series(chart) {
     const stroke = () => css(curve.color);
     const value = (_, number) => exact(number, chart.digits);
     const line = { label: curve.name, stroke, value, width: 1.75, spanGaps: true, points: { show: false } };
-    if (curve.dash) line.dash = [6, 4];
     switch (curve.style) {
       case "noise":
         return [

@@ -64,10 +64,10 @@ fn another_photograph_is_noticed_where_it_is_read() {
     sandbox.copy_file("views/view-004.png", "views/view-000.png");
     let facts = ["view-000.png", "has changed since the run was trained", "name the data set"];
     sandbox.assert_refuses("eval run --backend cpu", &facts);
-    sandbox.assert_refuses("edit run -o new.safetensors --clean 0.3 --backend cpu", &facts);
     // it is not read, or is smaller than the run's, or was named
     sandbox.run("eval run --split train --backend cpu").assert_ok();
     sandbox.run("render run -o images --backend cpu").assert_ok();
+    sandbox.run("edit run -o new.safetensors --clean 0.3 --backend cpu").assert_ok();
     sandbox.run("eval run views --backend cpu").assert_ok();
     sandbox.write("views/view-000.png", before);
     sandbox.run("eval run --backend cpu").assert_ok();

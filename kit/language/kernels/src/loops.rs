@@ -4,7 +4,7 @@ use muslin::prelude::*;
 
 use crate::rows;
 
-/// Parameters of [`loops`].
+/// Parameters of [`loops()`].
 #[params]
 pub struct LoopParams {
     /// Pairs of numbers.

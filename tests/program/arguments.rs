@@ -190,7 +190,7 @@ fn every_command_takes_a_run_for_a_scene() {
     assert_eq!(bent["cameras"][0]["distorted"], true);
     assert_eq!(bent["missing"].as_array().map(Vec::len), Some(1));
     let text = sandbox.run("info data").assert_ok().stdout;
-    assert!(text.contains("images/lost.png") && text.contains("distorted"), "{text}");
+    assert!(text.contains("1 photograph missing") && text.contains("distorting lens"), "{text}");
     sandbox.write("data/transforms.json", kept);
     let explain = |words: &str| json(&format!("explain {words} --pixel 20,20 --json"));
     let seen = explain("run --split train");

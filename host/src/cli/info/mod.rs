@@ -2,18 +2,24 @@
 
 mod scene;
 mod splats;
-mod text;
 
+use std::collections::BTreeSet;
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use organza::data::{Pose, Poses};
+use organza::error::format_bytes;
 use organza::scene::{Placement, read_tensors};
 use organza::{Camera, DatasetOptions, Error, Result, Scene, TileBatch};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
 use super::inputs::{FileKind, SceneSource, told_apart};
+use crate::cli::summary::{Table, count, number};
 use crate::cli::text_of;
+
+/// Most rows of a table that could have as many rows as a data set has photographs.
+const MAX_ROWS: usize = 24;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -58,13 +64,16 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
 }
 
-fn show(args: &Args, info: &impl Serialize) -> Result<()> {
-    if args.json {
-        return print_json(info);
+fn show(args: &Args, info: &(impl serde::Serialize + std::fmt::Display)) -> Result<()> {
+    if args.json { print_json(info) } else { print(&info.to_string()) }
+}
+
+/// The number of rows that a table leaves out, as text.
+fn and_more(all: usize) -> String {
+    match all.saturating_sub(MAX_ROWS) {
+        0 => String::new(),
+        more => format!("... and {more} more (--json has all)\n"),
     }
-    let facts = serde_json::to_value(info)
-        .map_err(|error| Error::Argument { reason: error.to_string() })?;
-    print(&text::text(&facts))
 }
 
 /// A file's size in bytes; 0 if the file has been removed meanwhile.
@@ -95,6 +104,17 @@ impl TileFile {
             output_shape,
             output_bytes: 4 * output_shape.iter().map(|&size| size as u64).product::<u64>(),
         }
+    }
+}
+
+impl fmt::Display for TileFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "tiles {}, {}\n", self.file, format_bytes(self.file_bytes))?;
+        let side = self.side;
+        let shape = self.output_shape;
+        let bytes = format_bytes(self.output_bytes);
+        let tiles = count(self.tiles as u64, "tile");
+        writeln!(f, "{tiles} of {side} x {side}, rendered as {shape:?} ({bytes})")
     }
 }
 
@@ -135,6 +155,26 @@ impl TensorInfo {
     }
 }
 
+/// Tensors as a table.
+pub fn table(tensors: &[TensorInfo]) -> Table {
+    let mut table = Table::new(2, ["tensor", "shape", "min", "max", "mean", ""]);
+    for tensor in tensors {
+        let cell = |value: Option<f64>| value.map_or("-".to_owned(), number);
+        table.row([
+            tensor.name.clone(),
+            format!("{:?}", tensor.shape),
+            cell(tensor.min.map(f64::from)),
+            cell(tensor.max.map(f64::from)),
+            cell(tensor.mean),
+            match tensor.not_finite {
+                0 => String::new(),
+                number => count(number as u64, "NaN or infinite value"),
+            },
+        ]);
+    }
+    table
+}
+
 /// A file of tensors that is no scene, such as a rendered batch.
 #[derive(Debug, Serialize)]
 pub struct TensorFile {
@@ -156,6 +196,21 @@ impl TensorFile {
             file_bytes: file_bytes(path),
             tensors: info.collect(),
         })
+    }
+}
+
+impl fmt::Display for TensorFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = self.kind;
+        let file = &self.file;
+        let size = format_bytes(self.file_bytes);
+        writeln!(f, "{kind} {file}, {size}")?;
+        let tiles = self.tensors.iter().find(|tensor| tensor.name == "tiles");
+        if let (Some(tiles), "rendered batch") = (tiles, kind) {
+            let side = tiles.shape[2];
+            writeln!(f, "\n{} of {side} x {side}", count(tiles.shape[0] as u64, "tile"))?;
+        }
+        write!(f, "\n{}", table(&self.tensors))
     }
 }
 
@@ -242,5 +297,47 @@ impl CameraFile {
             notes: Some(poses.dataset.notes),
             cameras,
         })
+    }
+}
+
+impl fmt::Display for CameraFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.file_bytes.map(format_bytes);
+        let what = size.iter().chain(&self.format).cloned().collect::<Vec<_>>().join(", ");
+        writeln!(f, "{} {}, {what}\n", self.kind, self.file)?;
+        let sizes: BTreeSet<_> = self.cameras.iter().map(|c| (c.width, c.height)).collect();
+        let sizes: Vec<_> = sizes.iter().take(4).map(|(w, h)| format!("{w} x {h}")).collect();
+        writeln!(f, "{} of {}", count(self.cameras.len() as u64, "view"), sizes.join(", "))?;
+        let distorted = self.cameras.iter().filter(|camera| camera.distorted).count();
+        if distorted > 0 {
+            writeln!(f, "{distorted} through a distorting lens; rendered undistorted")?;
+        }
+        if let Some([first, others @ ..]) = self.missing.as_deref() {
+            let files = count(1 + others.len() as u64, "photograph");
+            writeln!(f, "{files} missing, the first is {first}")?;
+        }
+        self.notes.iter().flatten().try_for_each(|note| writeln!(f, "note: {note}"))?;
+        let held_out = self.cameras.iter().filter(|camera| camera.held_out == Some(true)).count();
+        if self.format.is_some() {
+            writeln!(f, "{held_out} held out")?;
+        }
+        let titles = ["view", "image", "size", "fl_x", "fl_y", "cx", "cy", "x", "y", "z", ""];
+        let mut table = Table::new(3, titles);
+        for (index, camera) in self.cameras.iter().take(MAX_ROWS).enumerate() {
+            table.row([
+                index.to_string(),
+                camera.file_path.clone().unwrap_or_else(|| "-".to_owned()),
+                format!("{} x {}", camera.width, camera.height),
+                number(camera.fl_x),
+                number(camera.fl_y),
+                number(camera.cx),
+                number(camera.cy),
+                number(camera.eye[0]),
+                number(camera.eye[1]),
+                number(camera.eye[2]),
+                if camera.held_out == Some(true) { "held out" } else { "" }.to_owned(),
+            ]);
+        }
+        write!(f, "\n{table}{}", and_more(self.cameras.len()))
     }
 }

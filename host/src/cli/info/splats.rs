@@ -1,13 +1,16 @@
 //! Describes a file of Gaussians for viewers that sort.
 
+use std::fmt;
 use std::path::Path;
 
 use organza::Result;
+use organza::error::format_bytes;
 use organza::scene::Placement;
 use organza::splats::{self, Splat, SplatFile};
 use serde::Serialize;
 
-use super::TensorInfo;
+use super::{TensorInfo, table};
+use crate::cli::summary::grouped;
 use crate::cli::text_of;
 
 #[derive(Debug, Serialize)]
@@ -61,5 +64,30 @@ impl SplatInfo {
             ],
             notes,
         })
+    }
+}
+
+impl fmt::Display for SplatInfo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size =
+            self.file_bytes.map_or(String::new(), |bytes| format!(", {}", format_bytes(bytes)));
+        writeln!(f, "{} {}, {}{size}\n", self.kind, self.file, self.format)?;
+        let [lo, hi] = self.corners;
+        let placed = self.placement.map_or_else(
+            || "not said by the file".to_owned(),
+            |Placement { offset, scale, up, .. }| {
+                format!("{offset:?} in the world, up is {up:?}, and a unit is {scale}")
+            },
+        );
+        for (label, value) in [
+            ("Gaussians", grouped(self.gaussians as u64)),
+            ("harmonics", format!("degree {}", self.degree)),
+            ("corners in the world", format!("{lo:?} and {hi:?}")),
+            ("its own origin", placed),
+        ] {
+            writeln!(f, "{label:<21}  {value}")?;
+        }
+        write!(f, "\n{}", table(&self.tensors))?;
+        self.notes.iter().try_for_each(|note| writeln!(f, "\nwarning: {note}"))
     }
 }

@@ -1,4 +1,4 @@
-//! Several scenes in one picture: arguments, lists and places.
+//! Several scenes in one picture: arguments and places.
 
 use crate::sandbox::Sandbox;
 
@@ -14,26 +14,21 @@ fn two() -> Sandbox {
 }
 
 #[test]
-fn a_list_a_place_and_a_film_give_the_same_images() {
+fn a_scene_stands_beside_another() {
     let sandbox = two();
     sandbox.run(&format!("{RENDER} -o a")).assert_ok();
-    let list = "[[scene]]\npath = \"../scene.safetensors\"\n\n[[scene]]\npath = \"../b.safetensors\"\n\
-                place = { offset = [0.2, 0, 0.1], turn = [0, 0, 40], scale = 0.5 }\n";
-    sandbox.make_folder("lists");
-    sandbox.write("lists/two.toml", list);
-    sandbox.run("render lists/two.toml cameras.json -o b --backend cpu").assert_ok();
     sandbox.run("render scene.safetensors cameras.json -o alone --backend cpu").assert_ok();
-    let [both, listed, alone] = ["a", "b", "alone"].map(|folder| sandbox.images(folder));
-    assert_eq!(both, listed);
+    let [both, alone] = ["a", "alone"].map(|folder| sandbox.images(folder));
     assert!(both != alone, "the second scene has no effect");
-    sandbox.run("film lists/two.toml cameras.json -o film --frames 2 --backend cpu").assert_ok();
+    let film = RENDER.replace("render", "film");
+    sandbox.run(&format!("{film} -o film --frames 2")).assert_ok();
     assert_eq!(sandbox.images("film").len(), 2);
-    let words = "view lists/two.toml --edit c.safetensors";
+    let words = "view scene.safetensors b.safetensors@place.json --edit c.safetensors";
     sandbox.assert_refuses(words, &["`--edit` takes one scene"]);
 }
 
 #[test]
-fn bad_places_and_lists_are_refused() {
+fn bad_places_are_refused() {
     let sandbox = two();
     let words = format!("{RENDER} -o out");
     for (place, facts) in [
@@ -64,22 +59,5 @@ fn bad_places_and_lists_are_refused() {
         (with("b.safetensors@place.json"), ["scene.safetensors", "name the data set"]),
     ] {
         sandbox.assert_refuses(&words, &facts);
-    }
-    let first = "[[scene]]\npath = \"scene.safetensors\"\n";
-    let second = "[[scene]]\npath = \"b.safetensors\"\n";
-    for (list, fact) in [
-        ("scene = []".to_owned(), "lists no scenes"),
-        (String::new(), "missing field `scene`"),
-        (format!("{first}place.scale = 2"), "the first scene has the cameras"),
-        (format!("{first}{second}place.size = 2"), "unknown field `size`"),
-        (format!("{first}{second}place.scale = nan"), "scale of NaN"),
-        (format!("{first}{second}place.turn = [0, inf, 0]"), "expected finite numbers"),
-        (format!("{first}[[scene]]\nplace.scale = 2"), "line 3: missing field `path`"),
-        (format!("{first}path ="), "line 3"),
-        (format!("title = 1\n{first}"), "unknown field `title`"),
-    ] {
-        sandbox.write("list.toml", list);
-        let words = "render list.toml cameras.json -o out --backend cpu";
-        sandbox.assert_refuses(words, &["list.toml", fact]);
     }
 }

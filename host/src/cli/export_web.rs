@@ -34,7 +34,7 @@ where the cameras stood; without cameras, around the scene.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors, or the folder of a training run; or a TOML file that lists several
+    /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
     /// More scenes at their places, each as SCENE@PLACE.json; and the cameras to start from: nerfstudio's transforms.json,
     /// or a data set [default: the run's, or views around the scene]

@@ -42,7 +42,7 @@ from 0 to 1, and each part of a normal from -1 to 1. `organza tiles` writes the 
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors, or the folder of a training run; or a TOML file that lists several
+    /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
     /// More scenes at their places, each as SCENE@PLACE.json; and the cameras: nerfstudio's transforms.json, or a data set
     /// [default: the run's]

@@ -35,7 +35,7 @@ of `organza render`, to the bit. Press ? on the page for its keys. Ctrl-C ends t
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors, or the folder of a training run; or a TOML file that lists several
+    /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
     /// More scenes at their places, each as SCENE@PLACE.json; and a data set, or a transforms.json, with or without
     /// photographs [default: the run's]

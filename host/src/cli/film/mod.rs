@@ -41,7 +41,7 @@ the images that `organza render` writes of the same cameras.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene, safetensors, or the folder of a training run; or a TOML file that lists several
+    /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
     /// More scenes at their places, each as SCENE@PLACE.json; and cameras to move through: nerfstudio's transforms.json,
     /// or a data set [default: an arc or a ring where a run's cameras stood; without a run, a turn around the scene]

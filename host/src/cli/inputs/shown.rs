@@ -5,16 +5,13 @@ use std::path::{Path, PathBuf};
 use organza::error::invalid;
 use organza::scene::{Place, Placement};
 use organza::{DeviceScene, Renderer, Result, Scene};
-use organza_core::input::{has_extension, read_json, read_text};
+use organza_core::input::read_json;
 use serde::Deserialize;
 
 use super::SceneSource;
 use crate::cli::console::Console;
 use crate::cli::device::SceneArgs;
 use crate::cli::{refuse, title};
-
-/// Most bytes of a file that lists scenes.
-const MAX_BYTES: u64 = 1 << 20;
 
 /// A scene, others at their places, and cameras.
 pub struct Shown {
@@ -26,38 +23,20 @@ pub struct Shown {
     beside: Vec<(SceneSource, Place, Placement)>,
 }
 
-/// A file that lists scenes.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct List {
-    scene: Vec<Listed>,
-}
-
-/// A scene that the user named with a place.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Listed {
-    path: PathBuf,
-    #[serde(default)]
-    place: Place,
-    /// The file that says so.
-    #[serde(skip)]
-    origin: PathBuf,
-}
-
 impl Shown {
-    /// The arguments `SCENE [SCENE@PLACE.json]... [CAMERAS]`, where the first scene can be a TOML file that lists several.
-    /// Reads no scene yet.
+    /// The arguments `SCENE [SCENE@PLACE.json]... [CAMERAS]`. Reads no scene yet.
     pub fn find(scene: &Path, others: &[PathBuf]) -> Result<Self> {
-        let place = Place::default();
-        let mut listed = match has_extension(scene, &["toml"]) {
-            true => Listed::all(scene)?,
-            false => vec![Listed { path: scene.to_owned(), place, origin: scene.to_owned() }],
-        };
+        let source = SceneSource::find(scene)?;
+        let mut beside = Vec::new();
         let mut cameras: Option<PathBuf> = None;
         for path in others {
-            if let Some(placed) = Listed::named(path)? {
-                listed.push(placed);
+            let placed = path.to_str().and_then(|text| text.rsplit_once('@'));
+            if let Some((path, file)) = placed.filter(|_| !path.exists()) {
+                let place = read_place(file.as_ref())?;
+                let other = SceneSource::find(path.as_ref())?;
+                let placement = source.placement().place(&other.placement(), &place);
+                let placement = placement.map_err(|error| error.in_file(file.as_ref()))?;
+                beside.push((other, place, placement));
             } else if let Some(cameras) = cameras.replace(path.clone()) {
                 let [cameras, path] = [&cameras, path].map(|path| path.display());
                 return refuse(format!(
@@ -65,17 +44,6 @@ impl Shown {
                 ));
             }
         }
-        let mut listed = listed.into_iter();
-        let Some(first) = listed.next() else { return invalid(scene, "it lists no scenes") };
-        let source = SceneSource::find(&first.path)?;
-        let own = source.placement();
-        let beside = listed.map(|Listed { path, place, origin }| {
-            let source = SceneSource::find(&path)?;
-            let placement = own.place(&source.placement(), &place);
-            let placement = placement.map_err(|error| error.in_file(&origin))?;
-            Ok((source, place, placement))
-        });
-        let beside = beside.collect::<Result<_>>()?;
         Ok(Self { source, cameras, beside })
     }
 
@@ -114,37 +82,7 @@ impl Shown {
     }
 }
 
-impl Listed {
-    /// `SCENE@PLACE.json`; `None` for another path.
-    fn named(path: &Path) -> Result<Option<Self>> {
-        let named = path.to_str().and_then(|text| text.rsplit_once('@'));
-        let Some((scene, origin)) = named.filter(|_| !path.exists()) else { return Ok(None) };
-        let origin = PathBuf::from(origin);
-        let place = Place::deserialize(read_json(&origin)?);
-        let place =
-            place.or_else(|e| invalid(&origin, format!("this is no place of a scene: {e}")))?;
-        Ok(Some(Self { path: scene.into(), place, origin }))
-    }
-
-    /// The scenes of a file, in which paths are relative to it.
-    fn all(file: &Path) -> Result<Vec<Self>> {
-        let text = read_text(file, MAX_BYTES, "a list of scenes")?;
-        let list: List = toml::from_str(&text).or_else(|error| {
-            let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-            invalid(file, format!("line {line}: {}", error.message()))
-        })?;
-        if list.scene.first().is_some_and(|first| first.place != Place::default()) {
-            return invalid(
-                file,
-                "the first scene has the cameras, so it stays where it is: move the others",
-            );
-        }
-        let folder = file.parent().unwrap_or(Path::new(""));
-        let found = |Listed { path, place, .. }| Self {
-            path: folder.join(path),
-            place,
-            origin: file.to_owned(),
-        };
-        Ok(list.scene.into_iter().map(found).collect())
-    }
+fn read_place(file: &Path) -> Result<Place> {
+    let place = Place::deserialize(read_json(file)?);
+    place.or_else(|error| invalid(file, format!("this is no place of a scene: {error}")))
 }

@@ -98,7 +98,9 @@ impl Snapshots {
                 let expected = picture::decode(png)?;
                 compare_pictures(&montage, &expected, &found).map_err(|message| {
                     let panels = picture::encode(&picture::difference(&expected, &found));
-                    let written = fs::write(&failure, panels);
+                    let folder = failure.parent().expect("it has a folder");
+                    let written =
+                        fs::create_dir_all(folder).and_then(|()| fs::write(&failure, panels));
                     written.unwrap_or_else(|error| panic!("{}: {error}", failure.display()));
                     format!("{message}; {} shows it", failure.display())
                 })
@@ -137,12 +139,10 @@ impl Snapshots {
 /// The file that shows the difference of a picture.
 ///
 /// # Panics
-/// If the test is not run by cargo, or if the folder cannot be made.
+/// If the test is not run by cargo.
 fn failure(name: &str, device: &str) -> PathBuf {
     let test = std::env::current_exe().expect("a test has a program");
     // target/debug/deps/test
     let target = test.ancestors().nth(3).expect("it lies in cargo's target folder");
-    let folder = target.join("snapshot-failures");
-    fs::create_dir_all(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-    folder.join(format!("{name}-{}.png", device.replace(' ', "-")))
+    target.join(format!("snapshot-failures/{name}-{}.png", device.replace(' ', "-")))
 }

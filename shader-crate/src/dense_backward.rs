@@ -371,7 +371,7 @@ pub fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
 /// `sum [17, 4 parameters, 2]`.
 ///
 /// In the variant, a workgroup takes a [tile](crate::weight_tile) of the weights.
-#[kernel(threads(64), over(weight_invocations(params.inputs, params.columns), params.samples.div_ceil(params.slice) + 1), iterations = 4 * MAX_SLICE + MAX_CAMERAS + SEARCH, fused, lanes, counts(samples))]
+#[kernel(threads(64), over(weight_invocations(params.inputs, params.columns), params.samples.div_ceil(params.slice)), iterations = 4 * MAX_SLICE + MAX_CAMERAS + SEARCH, fused, lanes, counts(samples))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,

@@ -158,6 +158,6 @@ impl Adam<'_> {
             second_moment,
             value,
         };
-        self.device.run(&kernel.counted(&self.gradient.unless_failed(values)), values, 1)
+        self.device.run_all(&kernel.counted(&self.gradient.unless_failed(values)))
     }
 }

@@ -195,7 +195,7 @@ impl Exposures {
             params: ExposureCenterParams { photographs: self.photographs, values },
             exposure: &self.values,
         };
-        Ok(adam.device.run(&kernel.counted(&adam.gradient.unless_failed(values)), values, 1)?)
+        Ok(adam.device.run_all(&kernel.counted(&adam.gradient.unless_failed(values)))?)
     }
 }
 

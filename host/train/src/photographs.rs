@@ -148,7 +148,7 @@ impl Photographs for StepPhotographs<'_> {
                 image: &image,
                 valid: &valid,
             };
-            device.run_over(&kernel, [side, side, tiles.len() as u32])?;
+            device.run_all(&kernel)?;
         }
         Ok([image, valid])
     }

@@ -79,7 +79,7 @@ impl HashGridGradient {
             transmittance,
             bound: &self.bound,
         };
-        device.run(&kernel.counted(pairs), capacity, 1)
+        device.run_all(&kernel.counted(pairs))
     }
 
     /// Sets the unit of the fixed-point sums from the bound, for at most `samples` samples.
@@ -93,7 +93,7 @@ impl HashGridGradient {
             };
             let parameters = &field.parameters;
             let kernel = HashGridNormKernel { params, parameters, bound: &self.bound };
-            device.run(&kernel, layer.inputs, 1)?;
+            device.run_all(&kernel)?;
         }
         let layers = field.layers.len() as u32;
         let kernel = HashGridScaleKernel {
@@ -102,7 +102,7 @@ impl HashGridGradient {
             scale: &self.scale,
             status: &self.status,
         };
-        device.run(&kernel.counted(samples), 1, 1)
+        device.run_all(&kernel.counted(samples))
     }
 
     /// Adds the gradients of a block of `count` samples to the sums.
@@ -128,7 +128,7 @@ impl HashGridGradient {
             touched: &self.touched,
             status: &self.status,
         };
-        device.run(&kernel.counted(count), params.points, field.levels.len() as u32)
+        device.run_all(&kernel.counted(count))
     }
 
     /// Adds the sums to the gradient, and clears them.
@@ -141,7 +141,7 @@ impl HashGridGradient {
             sum: &self.sum,
             gradient: &self.gradient,
         };
-        device.run(&kernel, values, 1)
+        device.run_all(&kernel)
     }
 
     /// Clears everything but the status.

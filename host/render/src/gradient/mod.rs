@@ -347,7 +347,7 @@ impl BinnedGradient {
             sum: &self.sum,
             gradient: &self.values,
         };
-        device.run(&kernel, values, 1)
+        device.run_all(&kernel)
     }
 
     /// Zeros, as in the beginning.

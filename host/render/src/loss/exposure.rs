@@ -43,7 +43,7 @@ impl<'a> Exposed<'a> {
             image,
             exposed: &exposed,
         };
-        device.run(&kernel, image.len() as u32, 1)?;
+        device.run_all(&kernel)?;
         Ok(Self { exposure, photograph, side, image: exposed })
     }
 
@@ -71,7 +71,7 @@ impl<'a> Exposed<'a> {
             sum: &into.sum,
         };
         let count = counts.map_or(Count::known(rows), |counts| counts.unless_failed(rows));
-        device.run(&kernel.counted(&count), rows, 1)
+        device.run_all(&kernel.counted(&count))
     }
 }
 

@@ -156,7 +156,6 @@ fn scales(valid_pixels: f64, ssim_weight: f32) -> [f64; 2] {
 /// [`MAX_TILE_SIDE`], more than 65,535 tiles, or more pixels than 32 bits address; as [`Device::run_over`].
 pub fn image_loss(device: &Device, side: u32, inputs: &LossInputs<'_>) -> Result<LossOutput> {
     let tiles = inputs.tiles(side)?;
-    let size = [side, side, tiles];
     let pixels = inputs.valid.len();
     let window = metrics::window().map(|weight| weight as f32);
     let window = device.upload("window", &window)?;
@@ -215,12 +214,12 @@ pub fn image_loss(device: &Device, side: u32, inputs: &LossInputs<'_>) -> Result
         row_slopes: &row_slopes,
         grad_image: &grad_tiles,
     };
-    device.run_over(&terms, size)?;
-    device.run_over(&rows, size)?;
-    device.run_over(&columns, size)?;
-    device.run_over(&rows_backward, size)?;
-    device.run(&row_sums, tiles * side, 1)?;
-    device.run_over(&gradient, size)?;
+    device.run_all(&terms)?;
+    device.run_all(&rows)?;
+    device.run_all(&columns)?;
+    device.run_all(&rows_backward)?;
+    device.run_all(&row_sums)?;
+    device.run_all(&gradient)?;
     Ok(LossOutput { grad_tiles, row_sum, side })
 }
 

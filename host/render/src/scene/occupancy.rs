@@ -80,9 +80,9 @@ impl Occupancy {
             opacity: &gaussians.opacity,
             counts,
         };
-        device.run(&kernel, count, 1)?;
+        device.run_all(&kernel)?;
         let entries = table.len() as u32;
         let kernel = OccupancyKernel { params: OccupancyTableParams { entries }, counts, table };
-        device.run(&kernel, entries, 1)
+        device.run_all(&kernel)
     }
 }

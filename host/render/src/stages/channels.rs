@@ -86,7 +86,7 @@ fn values(context: TileContext<'_>) -> Result<[Buffer<f32>; 2]> {
         measure: &measure,
         normals: &normals,
     };
-    device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+    device.run_all(&kernel.counted(&pairs.count))?;
     Ok([measure, normals])
 }
 

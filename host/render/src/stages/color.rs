@@ -40,7 +40,7 @@ impl Color {
             let params = field.head_params(chunk);
             let kernel =
                 ColorHeadKernel { params, parameters: &field.parameters, input, color: &color };
-            device.run(&kernel.counted(&chunk.count()), params.samples, 1)
+            device.run_all(&kernel.counted(&chunk.count()))
         })?;
         Ok(Self { color, blocks })
     }
@@ -85,7 +85,7 @@ impl Color {
                 let color = &self.color;
                 let kernel =
                     ColorHeadBackwardKernel { params, color, pair_gradient, logit_gradient };
-                device.run(&kernel.counted(&chunk.count()), params.samples, 1)
+                device.run_all(&kernel.counted(&chunk.count()))
             },
             |input_gradient, chunk| {
                 if material == 0 {
@@ -100,7 +100,7 @@ impl Color {
                 };
                 let pair_material = &pair_material;
                 let kernel = MaterialBackwardKernel { params, input_gradient, pair_material };
-                device.run(&kernel.counted(&chunk.count()), params.samples, 1)
+                device.run_all(&kernel.counted(&chunk.count()))
             },
         )?;
         Ok(Some(PairVectors { values: pair_material, width: material }))
@@ -129,5 +129,5 @@ fn inputs(scene: &DeviceScene, pairs: &Pairs, chunk: &Chunks<'_>) -> Result<()> 
         point: &chunk.point(),
         input: &chunk.input(),
     };
-    scene.device().run(&kernel.counted(&chunk.count()), chunk.samples(), 1)
+    scene.device().run_all(&kernel.counted(&chunk.count()))
 }

@@ -80,7 +80,7 @@ impl Composite {
             sum: &sum,
             image: &image,
         };
-        device.run_over(&kernel, [side, side, bins.tiles])?;
+        device.run_all(&kernel)?;
         Ok(Self { sum, image, splat })
     }
 
@@ -102,7 +102,7 @@ impl Composite {
             image_gradient: d_tiles,
             sum_gradient: &sum_gradient,
         };
-        device.run_over(&kernel, [side, side, bins.tiles])?;
+        device.run_all(&kernel)?;
         let intersection_gradient = intersections_gradient(context, &self.splat, &sum_gradient)?;
         let pairs = &bins.pairs;
         let capacity = pairs.count.upper_bound();
@@ -123,7 +123,7 @@ impl Composite {
             intersection_gradient: &intersection_gradient,
             pair_gradient: &pair_gradient,
         };
-        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+        device.run_all(&kernel.counted(&pairs.count))?;
         Ok(pair_gradient)
     }
 }
@@ -163,7 +163,7 @@ fn intersections_gradient(
             sum_gradient,
             intersection_gradient: &intersection_gradient,
         };
-        device.run(&kernel.counted(&bins.intersections), intersections, 1)?;
+        device.run_all(&kernel.counted(&bins.intersections))?;
     }
     Ok(intersection_gradient)
 }
@@ -205,7 +205,7 @@ pub fn add_weighted(
         color,
         splat: &splat,
     };
-    device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+    device.run_all(&kernel.counted(&pairs.count))?;
 
     let tiles = bins.tiles;
     let intersections = bins.intersections.upper_bound();
@@ -218,7 +218,7 @@ pub fn add_weighted(
         splat: &splat,
         cells: &cells,
     };
-    device.run(&kernel.counted(&bins.intersections), intersections, 1)?;
+    device.run_all(&kernel.counted(&bins.intersections))?;
 
     for pass in 0..bins.largest.div_ceil(MAX_INTERSECTIONS) {
         let kernel = CompositeKernel {
@@ -230,7 +230,7 @@ pub fn add_weighted(
             splat: &splat,
             sum,
         };
-        device.run_over(&kernel, [side, side, tiles])?;
+        device.run_all(&kernel)?;
     }
     Ok(splat)
 }
@@ -239,7 +239,7 @@ pub fn add_weighted(
 pub fn pixels(device: &Device, side: u32, image: &Buffer<f32>) -> Result<Buffer<u32>> {
     let rgba = device.unwritten("pixels", image.len() / 3)?;
     let params = PixelsParams { count: rgba.len() as u32, area: side * side };
-    device.run(&PixelsKernel { params, image, rgba: &rgba }, params.count, 1)?;
+    device.run_all(&PixelsKernel { params, image, rgba: &rgba })?;
     Ok(rgba)
 }
 

@@ -108,7 +108,7 @@ impl PartCounts {
         let last = first.len() as u32 - 1;
         let (slot, capacity) = self.place(slot);
         let params = RecordTotalParams { slot, last, capacity };
-        device.run(&RecordTotalKernel { params, first, counts: &*self.counts }, 1, 1)
+        device.run_all(&RecordTotalKernel { params, first, counts: &*self.counts })
     }
 
     /// Publishes the recorded totals to later dispatches. If one exceeds its capacity, clears masks and ranges.
@@ -122,7 +122,7 @@ impl PartCounts {
         for table in of_masks.chain(ranges.iter().copied()) {
             let params = ClearOnOverflowParams { len: table.len() as u32 };
             let kernel = ClearOnOverflowKernel { params, counts: &*self.counts, table };
-            device.run(&kernel, params.len, 1)?;
+            device.run_all(&kernel)?;
         }
         device.publish_counts();
         Ok(())
@@ -137,7 +137,7 @@ impl PartCounts {
     ) -> Result<()> {
         let params = LossCheckParams { rows: row_sum.len() as u32 };
         let kernel = LossCheckKernel { params, row_sum, counts: &*self.counts };
-        device.run(&kernel, params.rows, 1)?;
+        device.run_all(&kernel)?;
         self.clear_on_overflow(device, &[pair_mask], &[])
     }
 

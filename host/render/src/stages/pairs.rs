@@ -5,7 +5,6 @@ use std::ops::Range;
 use glam::Vec4;
 use organza_shaders::pair::{
     PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams, PairSumKernel, PairSumParams,
-    SUMMED,
 };
 
 use super::cut::words;
@@ -63,17 +62,12 @@ pub fn pair_mask(
         mask: &mask,
         count: &count,
     };
-    device.run(&kernel, words, cameras)?;
+    device.run_all(&kernel)?;
     Mask::new(device, mask, &count)
 }
 
 /// The pairs `[pairs]`, ascending.
-pub fn fill_pairs(
-    scene: &DeviceScene,
-    cameras: u32,
-    pair_mask: &Mask,
-    count: &Count,
-) -> Result<Buffer<u32>> {
+pub fn fill_pairs(scene: &DeviceScene, pair_mask: &Mask, count: &Count) -> Result<Buffer<u32>> {
     let device = scene.device();
     let words = words(scene.gaussians);
     let pair = device.unwritten("pairs", count.upper_bound() as usize)?;
@@ -83,7 +77,7 @@ pub fn fill_pairs(
         first_pair: &pair_mask.first,
         pair: &pair,
     };
-    device.run(&kernel, words, cameras)?;
+    device.run_all(&kernel)?;
     Ok(pair)
 }
 
@@ -124,6 +118,6 @@ impl PairVectors {
             pair_vector: &self.values,
             vector,
         };
-        scene.device().run(&kernel, scene.gaussians * self.width.div_ceil(SUMMED), 1)
+        scene.device().run_all(&kernel)
     }
 }

@@ -49,7 +49,7 @@ pub fn project(
         projection: &values,
         degenerate: &degenerate,
     };
-    device.run(&kernel, scene.gaussians, cameras.len() as u32)?;
+    device.run_all(&kernel)?;
     Ok(Projection { camera, values, degenerate })
 }
 
@@ -90,7 +90,7 @@ pub fn project_backward(
         pair_gradient,
         gradient: &gradient.geometry,
     };
-    device.run(&kernel, gaussians, 1)?;
+    device.run_all(&kernel)?;
     let kernel = StatisticsKernel {
         params: StatisticsParams { gaussians, words, first_camera, cameras },
         projection: &pairs.projection,
@@ -99,7 +99,7 @@ pub fn project_backward(
         pair_gradient,
         statistics: &gradient.statistics,
     };
-    device.run(&kernel, gaussians, 1)
+    device.run_all(&kernel)
 }
 
 /// Backpropagates `pair_gradient [pairs, 3]` to the poses of a part's cameras. Adds to `gradient [cameras, 6]`, which has a
@@ -135,6 +135,6 @@ pub fn pose_backward(
             pair_gradient,
             sum: &gradient.sum,
         };
-        scene.device().run(&kernel, blocks, 1)
+        scene.device().run_all(&kernel)
     })
 }

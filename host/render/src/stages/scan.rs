@@ -10,18 +10,10 @@ pub fn exclusive_scan(device: &Device, value: &Buffer<u32>, count: u32) -> Resul
     let blocks = (count + 1).div_ceil(BLOCK);
     let block_sum = device.unwritten("block sums", blocks as usize)?;
     let params = ScanParams { count };
-    device.run(
-        &ScanBlockKernel { params, value, prefix: &prefix, block_sum: &block_sum },
-        blocks * 64,
-        1,
-    )?;
+    device.run_all(&ScanBlockKernel { params, value, prefix: &prefix, block_sum: &block_sum })?;
     if blocks > 1 {
         let block_prefix = exclusive_scan(device, &block_sum, blocks)?;
-        device.run(
-            &ScanAddKernel { params, block_prefix: &block_prefix, prefix: &prefix },
-            count + 1,
-            1,
-        )?;
+        device.run_all(&ScanAddKernel { params, block_prefix: &block_prefix, prefix: &prefix })?;
     }
     Ok(prefix)
 }

@@ -57,7 +57,7 @@ fn tile_mask(
     let mask = device.unwritten("tile masks", len)?;
     let count = device.unwritten("intersection counts", len)?;
     let kernel = TileMaskKernel { params, tile, projection, mask: &mask, count: &count };
-    device.run(&kernel, params.words, tiles)?;
+    device.run_all(&kernel)?;
     Mask::new(device, mask, &count)
 }
 
@@ -92,7 +92,7 @@ impl TileBins {
             first_intersection: &tile_mask.first,
             tile_first: &tile_first,
         };
-        device.run(&kernel, tiles + 1, 1)?;
+        device.run_all(&kernel)?;
         let (count, intersections, largest) = match &part_counts {
             None => {
                 let first = device.read(&tile_first)?;
@@ -111,7 +111,7 @@ impl TileBins {
             }
         };
 
-        let pair = fill_pairs(scene, slots, &pair_mask, &count)?;
+        let pair = fill_pairs(scene, &pair_mask, &count)?;
         let intersection =
             device.unwritten("intersections", intersections.upper_bound() as usize)?;
         let kernel = TileFillKernel {
@@ -123,7 +123,7 @@ impl TileBins {
             first_pair: &pair_mask.first,
             intersection: &intersection,
         };
-        device.run(&kernel, words, tiles)?;
+        device.run_all(&kernel)?;
         let view_ends = match device.backend() {
             "cpu" => view_ends(device, &pair_mask, slots, words)?,
             _ => Vec::new(),

@@ -79,7 +79,7 @@ impl Transmittance {
             log_rho: &log_rho,
             transmittance: &transmittance,
         };
-        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+        device.run_all(&kernel.counted(&pairs.count))?;
         Ok(Self { transmittance, first_sample, samples, power, segment, blocks })
     }
 
@@ -166,7 +166,7 @@ pub fn segments(scene: &DeviceScene, pairs: &Pairs) -> Result<(Buffer<Vec4>, Buf
         segment: &segment,
         count: &count,
     };
-    device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+    device.run_all(&kernel.counted(&pairs.count))?;
     let first_sample = exclusive_scan(device, &count, capacity)?;
     Ok((segment, first_sample))
 }
@@ -203,7 +203,7 @@ fn log_rho(
             input,
             log_rho: &log_rho,
         };
-        device.run(&kernel.counted(&chunk.count()), chunk.samples(), 1)
+        device.run_all(&kernel.counted(&chunk.count()))
     })?;
     Ok(log_rho)
 }
@@ -237,7 +237,7 @@ fn inputs(
         point: &chunk.point(),
         input: &chunk.input(),
     };
-    scene.device().run(&kernel.counted(&chunk.count(), &pairs.count), chunk.samples(), 1)
+    scene.device().run_all(&kernel.counted(&chunk.count(), &pairs.count))
 }
 
 impl Transmittance {
@@ -298,7 +298,7 @@ impl Transmittance {
                     input_gradient,
                     pair_extra: &pair_extra,
                 };
-                device.run(&kernel.counted(&count, &chunk.count()), pairs, extra)
+                device.run_all(&kernel.counted(&count, &chunk.count()))
             },
         )?;
         Ok(Some(PairVectors { values: pair_extra, width: extra }))
@@ -330,7 +330,7 @@ impl Transmittance {
             pair_gradient,
             log_rho_gradient,
         };
-        device.run(&kernel.counted(&count, &chunk.count()), pairs, 1)?;
+        device.run_all(&kernel.counted(&count, &chunk.count()))?;
         let field = &scene.transmittance;
         let kernel = TransmittanceHeadBackwardKernel {
             params: field.head_params(chunk),
@@ -340,7 +340,7 @@ impl Transmittance {
             log_rho_gradient,
             logit_gradient: &scratch.logit_gradient,
         };
-        device.run(&kernel.counted(&chunk.count()), chunk.samples(), 1)
+        device.run_all(&kernel.counted(&chunk.count()))
     }
 }
 

@@ -5,7 +5,6 @@ use std::sync::Mutex;
 
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-    INPUTS_PER_INVOCATION, weight_invocations,
 };
 
 use super::Inputs;
@@ -157,8 +156,7 @@ impl FieldBackward<'_> {
                 output_gradient: output,
                 input_gradient: target,
             };
-            let layers = (end_input - first_input).div_ceil(INPUTS_PER_INVOCATION);
-            device.run(&kernel.counted(&chunk.count()), chunk.samples(), layers)?;
+            device.run_all(&kernel.counted(&chunk.count()))?;
             output = target;
         }
         Ok(())
@@ -198,8 +196,6 @@ impl FieldBackward<'_> {
             carry,
             sum: &self.gradient.network.sum,
         };
-        let invocations = weight_invocations(layer.inputs, layer.columns);
-        let windows = chunk.samples().div_ceil(slice);
-        self.scene.device().run(&kernel.counted(&chunk.count()), invocations, windows)
+        self.scene.device().run_all(&kernel.counted(&chunk.count()))
     }
 }

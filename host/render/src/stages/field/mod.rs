@@ -5,7 +5,7 @@ pub mod samples;
 
 use std::sync::Mutex;
 
-use organza_shaders::dense::{DenseKernel, DenseParams, HeadParams, OUTPUTS_PER_INVOCATION};
+use organza_shaders::dense::{DenseKernel, DenseParams, HeadParams};
 use organza_shaders::hash_grid::{HashGridKernel, HashGridParams};
 use organza_shaders::hash_grid_half::HashGridHalfKernel;
 
@@ -50,16 +50,15 @@ impl DeviceField {
             let position = &piece.point();
             let output = &piece.input();
             let levels = &self.levels;
-            let layers = levels.len() as u32;
             match &self.half_table {
                 None => {
                     let table = &self.table;
                     let kernel = HashGridKernel { params, levels, table, position, output };
-                    device.run(&kernel.counted(&piece.count()), params.points, layers)
+                    device.run_all(&kernel.counted(&piece.count()))
                 }
                 Some(table) => {
                     let kernel = HashGridHalfKernel { params, levels, table, position, output };
-                    device.run(&kernel.counted(&piece.count()), params.points, layers)
+                    device.run_all(&kernel.counted(&piece.count()))
                 }
             }
         })
@@ -122,8 +121,7 @@ impl DeviceField {
             };
             let parameters = &self.parameters;
             let kernel = DenseKernel { params, parameters, input: &input, output };
-            let layers = layer.columns * 4 / OUTPUTS_PER_INVOCATION;
-            device.run(&kernel.counted(&chunk.count()), params.samples, layers)?;
+            device.run_all(&kernel.counted(&chunk.count()))?;
             input = output.clone();
         }
         Ok(input)

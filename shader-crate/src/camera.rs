@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use muslin::math::dot;
 use muslin::prelude::*;
 
-/// A camera, with OpenCV axes: x right, y down, z forward.  Its projection is in [`pinhole`](crate::pinhole).
+/// A camera, with OpenCV axes: x right, y down, z forward. Its projection is in [`pinhole`](crate::pinhole).
 #[derive(Clone, Copy)]
 pub struct Camera {
     /// Rows of the rotation from world to camera.

@@ -11,7 +11,7 @@ use muslin::prelude::*;
 /// Parameters of [`pair_channels`].
 #[params]
 pub struct PairChannelsParams {
-    /// Pairs in the batch.
+    /// Pairs of the part.
     pub pairs: u32,
     /// Gaussians of the scene.
     pub gaussians: u32,

@@ -14,9 +14,9 @@ use muslin::prelude::*;
 /// Parameters of [`color_inputs`].
 #[params]
 pub struct ColorInputsParams {
-    /// Pairs in this chunk.
+    /// Pairs of the chunk.
     pub pairs: u32,
-    /// First pair of this chunk.
+    /// First pair of the chunk.
     pub first_pair: u32,
     /// Distance of two rows in `point` and `input`.
     pub stride: u32,
@@ -33,7 +33,7 @@ pub struct ColorInputsParams {
 }
 
 /// Writes what does not come from the hash grid: the point to encode, the harmonics of the view direction and
-/// the material (Eq. 1).  `point [7, stride]`, `input [rows, stride]`.
+/// the material (Eq. 1). `point [7, stride]`, `input [rows, stride]`.
 #[kernel(threads(64), over(params.pairs), iterations = SH_ITERATIONS + MAX_VECTOR, counts(pairs))]
 pub fn color_inputs(
     id: Invocation,

@@ -9,9 +9,9 @@ use muslin::prelude::*;
 /// Parameters of [`color_head_backward`].
 #[params]
 pub struct ColorHeadBackwardParams {
-    /// Pairs in this chunk.
+    /// Pairs of the chunk.
     pub samples: u32,
-    /// First pair of this chunk.
+    /// First pair of the chunk.
     pub first_pair: u32,
     /// Distance of two rows in `logit_gradient`.
     pub stride: u32,
@@ -44,9 +44,9 @@ pub fn color_head_backward(
 /// Parameters of [`material_backward`].
 #[params]
 pub struct MaterialBackwardParams {
-    /// Pairs in this chunk.
+    /// Pairs of the chunk.
     pub samples: u32,
-    /// First pair of this chunk.
+    /// First pair of the chunk.
     pub first_pair: u32,
     /// Distance of two rows in `input_gradient`.
     pub stride: u32,

@@ -1,4 +1,4 @@
-//! B3. The weighted sum over a tile's intersections (Eq. 12), for all tiles of a batch at once: pixels along x and y, tiles
+//! B3. The weighted sum over a tile's intersections (Eq. 12), for all tiles of a part at once: pixels along x and y, tiles
 //! along z.
 
 use glam::{UVec3, Vec3, Vec4};
@@ -43,10 +43,10 @@ pub fn alpha<L: Lane>(placed: Vec4, q: L) -> L {
 pub const SUM_PLANES: u32 = 4;
 
 /// Intersections that [`composite`] copies to workgroup memory at once.
-const SHARED_MEMBERS: usize = 64;
+const SHARED_INTERSECTIONS: usize = 64;
 
-/// Their vectors.
-const SHARED_VECTORS: usize = SHARED_MEMBERS * VECTORS as usize;
+/// Vectors of their splats.
+const SHARED_VECTORS: usize = SHARED_INTERSECTIONS * VECTORS as usize;
 
 /// The splats of a tile's intersections.
 #[derive(Clone, Copy)]
@@ -110,7 +110,7 @@ pub fn composite<L: Lane>(
     cells: Read<u32>,
     splat: Read<Vec4>,
     sum: Write<f32>,
-    shared_cells: &mut impl SharedTile<u32, SHARED_MEMBERS>,
+    shared_cells: &mut impl SharedTile<u32, SHARED_INTERSECTIONS>,
     shared_splats: &mut impl SharedTile<Vec4, SHARED_VECTORS>,
 ) {
     let place = id.global();

@@ -143,7 +143,7 @@ fn moments<L: Lane>(
     }
 }
 
-/// Sums over the pixels that an intersection's support may reach, and some beside it in the same rows, which add nothing.
+/// Sums over the pixels that an intersection's support may reach, and over their neighbors in the same rows, which add nothing.
 #[inline(always)]
 fn all_moments<L: Lane>(
     gradient: Read<f32>,
@@ -154,7 +154,7 @@ fn all_moments<L: Lane>(
     origin: [i32; 2],
     splat: [Vec4; 3],
 ) -> Moments {
-    // whole blocks, moved to the left where they would end behind the row
+    // whole blocks, moved to the left where they would end past the row
     let wanted = (columns.end - columns.begin).div_ceil(L::WIDTH);
     let fitting = side / L::WIDTH;
     let blocks = if wanted < fitting { wanted } else { fitting };
@@ -179,8 +179,8 @@ fn all_moments<L: Lane>(
 /// (d color, 0)`.
 ///
 /// The derivative of Eq. 12: with `alpha = weight falloff(q)`, `dL/dalpha = dL/dC . c + dL/dS`, and
-/// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  The weight is the one before its [`Compensation`], which depends on
-/// the conic.  One invocation for each intersection of a tile: pixels are summed
+/// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0. The weight is the one before its [`Compensation`], which depends on
+/// the conic. One invocation for each intersection of a tile: pixels are summed
 /// in an order that nothing changes.
 #[kernel(threads(64), over(params.intersections), iterations = u32::BITS + MAX_BAND, lanes, counts(intersections))]
 pub fn composite_backward<L: Lane>(

@@ -13,7 +13,7 @@ pub const PAIRS: u32 = 1;
 pub const INTERSECTIONS: u32 = 2;
 /// Index in `counts`: samples of the transmittance network.
 pub const SAMPLES: u32 = 3;
-/// Index in `counts`: `u32::MAX`, where a kernel runs over all its items unless [`OVERFLOW`] is raised.
+/// Index in `counts` of `u32::MAX`. A kernel with this count runs over all its items, or over none after an [`OVERFLOW`].
 pub const ALL: u32 = 4;
 /// Values of `counts`.
 pub const COUNTS: u32 = 5;

@@ -1,7 +1,7 @@
 //! Dense layers of both networks (Eq. 2 and 10).
 //!
 //! A network's parameters are one buffer of `Vec4`: for each layer the weights, input by input (the transpose of
-//! the file's `[out, in]`), then the biases.  Outputs are padded with zeros to full columns of four, hidden
+//! the file's `[out, in]`), then the biases. Outputs are padded with zeros to full columns of four, hidden
 //! layers to [`OUTPUTS_PER_INVOCATION`], so no invocation checks where a row ends.
 
 use glam::Vec4;
@@ -20,7 +20,7 @@ const BLOCK_COLUMNS: u32 = OUTPUTS_PER_INVOCATION / 4;
 /// Parameters of [`dense`].
 #[params]
 pub struct DenseParams {
-    /// Samples in the batch.
+    /// Samples of the chunk.
     pub samples: u32,
     /// Distance of two rows in `input` and `output`, a multiple of 4.
     pub stride: u32,
@@ -34,12 +34,12 @@ pub struct DenseParams {
     pub bias: u32,
 }
 
-/// Parameters of a network's last layer, in the kernels that also have what comes after it.
+/// Parameters of a head: a kernel with the last layer of a network, and what follows it.
 #[params]
 pub struct HeadParams {
-    /// Samples in this chunk.
+    /// Samples of the chunk.
     pub samples: u32,
-    /// First sample of this chunk, among all in the output.
+    /// First sample of the chunk, among all in the output.
     pub first: u32,
     /// See [`DenseParams::stride`].
     pub stride: u32,

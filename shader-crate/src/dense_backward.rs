@@ -15,7 +15,7 @@ use muslin::prelude::*;
 use muslin::samples::{Four, Samples};
 
 /// Inputs of a layer whose gradient one invocation of [`dense_backward`] computes.
-pub const INPUTS_PER_INVOCATION: u32 = 8;
+const INPUTS_PER_INVOCATION: u32 = 8;
 
 /// Inputs of a layer that one invocation of [`dense_weight_backward`] takes; its outputs are a column of four.
 const WEIGHT_ROWS_PER_INVOCATION: u32 = 4;
@@ -221,7 +221,7 @@ fn masked<S: Samples>(params: &DenseBackwardParams, input: ReadFours<f32>, value
 pub struct DenseWeightBackwardParams {
     /// Samples in the chunk.
     pub samples: u32,
-    /// The chunk's first sample, of all.
+    /// Index of the chunk's first sample, among all samples.
     pub first_sample: u32,
     /// Distance of two rows in `input` and `output_gradient`, a multiple of 4.
     pub stride: u32,
@@ -261,13 +261,13 @@ fn add_scaled<L: Lane>(sum: LaneVec4<L>, x: L, g: LaneVec4<L>) -> LaneVec4<L> {
     }
 }
 
-/// Samples whose values are read together where [`Lane::READS_FOUR`]. Rows are then counted in fours.
+/// Samples of a quad: neighbors, whose values are read as one vector where [`Lane::READS_FOUR`]. Rows are then counted in quads.
 pub const QUAD: u32 = 4;
 
-/// Where a few samples lie, in fours, and the range of those that count.
+/// The place of a quad in a row, and the range of samples that count.
 #[derive(Clone, Copy)]
 pub struct QuadCursor {
-    /// Where they lie.
+    /// Index of the quad in its row.
     pub at: u32,
     /// The first sample that counts.
     pub begin: u32,
@@ -276,7 +276,8 @@ pub struct QuadCursor {
 }
 
 impl QuadCursor {
-    /// Whether a loop goes on here: over whole vectors while there are any, or over single samples up to the next whole vector.
+    /// Whether a loop goes on with this quad. With `WHOLE`, it takes quads up to the last whole one. Without, it takes the quads
+    /// of which only some samples count: before the first whole quad, and after the last one.
     #[inline(always)]
     fn is_next<const WHOLE: bool>(self) -> bool {
         let first = QUAD * self.at;
@@ -285,7 +286,7 @@ impl QuadCursor {
     }
 }
 
-/// [`read_column`] of a few samples.
+/// [`read_column`] of a quad.
 #[inline(always)]
 fn read_quad<L: Lane, const WHOLE: bool>(
     rows: ReadFours<f32>,
@@ -308,7 +309,7 @@ fn read_quad<L: Lane, const WHOLE: bool>(
     ]
 }
 
-/// A few values of a row, and zeros for those that do not count.
+/// A quad of a row, with zeros for samples that do not count.
 #[inline(always)]
 pub fn quad_of_row<L: Lane, const WHOLE: bool>(
     rows: ReadFours<f32>,
@@ -327,7 +328,7 @@ pub fn quad_of_row<L: Lane, const WHOLE: bool>(
     [kept(x, 0), kept(y, 1), kept(z, 2), kept(w, 3)]
 }
 
-/// `sum + x g` of a few samples, one after another.
+/// `sum + x g` of a quad, one sample after another.
 #[inline(always)]
 pub fn add_quad<L: Lane>(
     sum: LaneVec4<L>,
@@ -338,12 +339,6 @@ pub fn add_quad<L: Lane>(
     let sum = add_scaled(sum, x1, g1);
     let sum = add_scaled(sum, x2, g2);
     add_scaled(sum, x3, g3)
-}
-
-/// `sum + g`
-#[inline(always)]
-pub fn add<L: Lane>(sum: LaneVec4<L>, g: LaneVec4<L>) -> LaneVec4<L> {
-    LaneVec4 { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
 }
 
 /// The sum of all lanes, and of the samples that were left over.
@@ -362,11 +357,11 @@ pub fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
 /// last block the biases), windows of as many samples as a slice has along z.
 ///
 /// The samples of each camera are cut into slices of the same length, from the camera's first sample on; the last one may
-/// be shorter.  A slice is summed in f32, and slices [exactly](binned): neither depends on what else is in the part.  An
+/// be shorter. A slice is summed in f32, and slices [exactly](binned): neither depends on what else is in the part. An
 /// invocation goes through the slices that begin in its window; the first one also goes on with a slice of the chunk
 /// before.
 ///
-/// `first_pair [cameras, words] + 1`; `first_sample [pairs + 1]`, which is not read for pairs; `input [inputs, stride]`,
+/// `first_pair [cameras * words + 1]`; `first_sample [pairs + 1]`, which is not read for pairs; `input [inputs, stride]`,
 /// `output_gradient [4 columns, stride]`; `carry [2, 4 parameters]`, the sums of a slice that ends in another chunk;
 /// `sum [17, 4 parameters, 2]`.
 ///
@@ -422,7 +417,7 @@ pub fn dense_weight_backward<L: Lane>(
 /// Invocations of [`dense_weight_backward`] for a layer: neighbors take four blocks of inputs together. The variant needs no
 /// more, but for narrow layers of many inputs.
 #[cfg(not(target_arch = "spirv"))]
-pub fn weight_invocations(inputs: u32, columns: u32) -> u32 {
+fn weight_invocations(inputs: u32, columns: u32) -> u32 {
     let blocks = inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
     let plain = blocks.next_multiple_of(BLOCKS_TOGETHER) * columns;
     plain.max(64 * tiles(inputs, columns))
@@ -530,7 +525,8 @@ fn add_slice<L: Lane>(
     carry: Write<f32>,
     sum: Write<impl SumWord>,
 ) {
-    let [inputs, columns] = [params.inputs, params.columns];
+    let inputs = params.inputs;
+    let columns = params.columns;
     let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
     let stride = params.stride;
     let g = 4 * column * stride;
@@ -579,7 +575,7 @@ struct Rows<'a> {
     stride: u32,
 }
 
-/// The sums of a part of a slice, which go on where the chunk before has ended. `BIAS`: of a bias, whose four inputs are 1.
+/// The sums of a part of a slice, which go on where the chunk before has ended. With `BIAS`, all inputs are 1: the sum is a bias's.
 #[inline(always)]
 fn sum_slice<L: Lane, const BIAS: bool>(
     rows: Rows,
@@ -589,16 +585,16 @@ fn sum_slice<L: Lane, const BIAS: bool>(
     outputs: Outputs,
 ) -> [Vec4; 4] {
     // one lane goes on where the chunk before has ended: the sum does not depend on where that was
-    let of_lanes = part.continues && L::WIDTH == 1;
-    let of_rest = part.continues && L::WIDTH > 1;
-    let sums = begin_sums::<L>(carry, from, outputs, of_lanes);
+    let lanes_continue = part.continues && L::WIDTH == 1;
+    let rest_continues = part.continues && L::WIDTH > 1;
+    let sums = begin_sums::<L>(carry, from, outputs, lanes_continue);
     let ([sum0, sum1, sum2, sum3], sample) =
         sum_products::<L, BIAS>(sums, rows, [part.begin, part.end]);
     let sum0 = sum0.materialize();
     let sum1 = sum1.materialize();
     let sum2 = sum2.materialize();
     let sum3 = sum3.materialize();
-    let rests = begin_sums::<L::One>(carry, from, outputs, of_rest);
+    let rests = begin_sums::<L::One>(carry, from, outputs, rest_continues);
     let [rest0, rest1, rest2, rest3] = if L::WIDTH > 1 {
         sum_each::<L::One, BIAS>(rests, rows, [sample, part.end]).0
     } else {
@@ -710,7 +706,7 @@ fn sum_each<L: Lane, const BIAS: bool>(
     rows: Rows,
     [begin, end]: [u32; 2],
 ) -> ([LaneVec4<L>; 4], u32) {
-    // sixteen sums: four variables, for an aggregate of them would stay in memory
+    // sixteen sums in four variables: an array of them would stay in memory
     let [mut sum0, mut sum1, mut sum2, mut sum3] = before;
     let Rows { input, rows: [row0, row1, row2, row3], output_gradient, g, stride } = rows;
     let mut sample = begin;
@@ -731,7 +727,7 @@ fn read_input<L: Lane, const BIAS: bool>(input: ReadFours<f32>, at: u32) -> L {
     if BIAS { L::splat(1.0) } else { Samples::read(input, at) }
 }
 
-/// As [`sum_products`], for a single lane and a few samples at a time: as [`QuadCursor::is_next`] says.
+/// As [`sum_products`], for a single lane and a quad at a time, while [`QuadCursor::is_next`] says so.
 #[loops]
 #[inline(always)]
 fn sum_quads<L: Lane, const WHOLE: bool, const BIAS: bool>(
@@ -755,7 +751,7 @@ fn sum_quads<L: Lane, const WHOLE: bool, const BIAS: bool>(
     ([sum0, sum1, sum2, sum3], cursor)
 }
 
-/// As [`read_input`], of a few samples.
+/// As [`read_input`], of a quad.
 #[inline(always)]
 fn input_quad<L: Lane, const WHOLE: bool, const BIAS: bool>(
     input: ReadFours<f32>,
@@ -809,9 +805,9 @@ mod tests {
         })
     }
 
-    /// An invocation of a GPU, which reads without a check: here every index is checked.
+    /// A GPU reads quads without a check. Here every index is checked.
     #[test]
-    fn layers_of_four_samples_are_those_of_one() {
+    fn layers_of_quads_equal_layers_of_single_samples() {
         for samples in [1, 2, 3, 4, 63, 70] {
             let stride = (samples + 3_u32).next_multiple_of(4);
             let inputs = 11;
@@ -872,7 +868,7 @@ mod tests {
         }
     }
 
-    /// As above: slices that begin and end anywhere, and what a GPU reads together. The variant adds the same bits.
+    /// Slices begin and end anywhere in a quad. The variant adds the same bits.
     #[test]
     fn weights_are_summed_slice_by_slice() {
         let sizes = [(1, 9), (3, 9), (4, 4), (70, 33), (64, 7), (12, 1), (11, 3)];
@@ -907,21 +903,23 @@ mod tests {
                     1,
                     samples.div_ceil(slice) + 1,
                 ];
-                let views = (Write::from(&mut carry[..]), Write::from(&mut sum[..]));
-                let pairs = [0, samples];
-                let reads = (Read::from(&pairs[..]), Read::from(&[0][..]));
-                let rows = (Read::from(&input[..]), Read::from(&gradient[..]));
+                let carried = Write::from(&mut carry[..]);
+                let sums = Write::from(&mut sum[..]);
+                let first_pair = [0, samples];
+                let pair = Read::from(&first_pair[..]);
+                let sample = Read::from(&[0][..]);
+                let x = Read::from(&input[..]);
+                let g = Read::from(&gradient[..]);
                 run(workgroups, |id, mut staged| {
-                    let ((pair, sample), (x, g), (carry, sum)) = (reads, rows, views);
                     if is_shared {
                         let staged = &mut staged;
                         dense_weight_backward::<f32>(
-                            id, &params, pair, sample, x, g, carry, sum, staged,
+                            id, &params, pair, sample, x, g, carried, sums, staged,
                         );
                     } else {
                         let staged = &mut Unshared;
                         dense_weight_backward::<f32>(
-                            id, &params, pair, sample, x, g, carry, sum, staged,
+                            id, &params, pair, sample, x, g, carried, sums, staged,
                         );
                     }
                 });

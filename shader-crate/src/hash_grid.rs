@@ -36,7 +36,7 @@ pub struct HashGridParams {
     pub first_row: u32,
     /// Features of a level.
     pub features: u32,
-    /// Points of a chunk; a multiple of 64, so that no lanes are of two.
+    /// Points of a chunk: a multiple of 64, so that a workgroup's points are in one chunk.
     pub chunk: u32,
     /// Rows of a chunk in `position`.
     pub point_rows: u32,
@@ -77,7 +77,7 @@ pub struct Cell<L: Lane> {
 }
 
 impl GridLevel {
-    /// A level of which the first entry, the entries and whether it is hashed are known.
+    /// A level whose place in the table is known.
     #[cfg(not(target_arch = "spirv"))]
     pub fn new(scale: f64, resolution: u32, first: u32, count: u32, hashed: bool) -> Self {
         let leading = leading_bits(scale, 12);
@@ -94,7 +94,7 @@ impl GridLevel {
         Cell { corner: [cell_x, cell_y, cell_z], weight: [weight_x, weight_y, weight_z] }
     }
 
-    /// `x' * scale + 0.5`, its floor and its fraction.  The product of the leading parts is exact, so that the
+    /// `x' * scale + 0.5`, its floor and its fraction. The product of the leading parts is exact, so that the
     /// fraction keeps its digits however large the cell's number is.
     #[inline(always)]
     fn axis<L: Lane>(&self, x: Split<L>) -> (L::Index, L) {
@@ -173,7 +173,7 @@ pub struct Corners<L: Lane> {
 }
 
 impl<L: Lane> Corners<L> {
-    /// The corners of a cell.  All eight are written out: a local array that is indexed would stay in memory.
+    /// The corners of a cell. All eight are written out: a local array that is indexed would stay in memory.
     #[inline(always)]
     pub fn new(level: &GridLevel, cell: Cell<L>) -> Self {
         let [upper_x, upper_y, upper_z] = cell.weight;
@@ -235,13 +235,15 @@ macro_rules! of_corners {
     }};
     (@each $entry:ident $weight:ident $value:expr; $($e:ident $w:ident)*) => {{
         $(
-            let ($entry, $weight) = ($e, $w);
+            let $entry = $e;
+            let $weight = $w;
             $value;
         )*
     }};
     (@array $entry:ident $weight:ident $value:expr; $($e:ident $w:ident)*) => {
         [$({
-            let ($entry, $weight) = ($e, $w);
+            let $entry = $e;
+            let $weight = $w;
             $value
         }),*]
     };
@@ -254,7 +256,7 @@ pub fn sum<L: Lane>([a, b, c, d, e, f, g, h]: [L; 8]) -> L {
     a + b + c + d + e + f + g + h
 }
 
-/// The same for two values of each corner.
+/// [`sum`] for two values of each corner.
 #[inline(always)]
 fn sum_two<L: Lane>([a, b, c, d, e, f, g, h]: [[L; 2]; 8]) -> [L; 2] {
     [

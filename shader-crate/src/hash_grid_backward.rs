@@ -10,7 +10,7 @@ use muslin::atomic;
 use muslin::math::TINY;
 use muslin::prelude::*;
 
-/// Values of a table that share a flag.  The flag is 1 if a gradient has been added to any of them; [`adam`](crate::adam::adam())
+/// Values of a table that share a flag. The flag is 1 if a gradient has been added to any of them; [`adam`](crate::adam::adam())
 /// skips the others.
 pub const VALUES_PER_FLAG: u32 = 64;
 
@@ -19,7 +19,7 @@ pub const VALUES_PER_FLAG: u32 = 64;
 ///
 /// `position [chunks, point_rows, stride]`, see [`write_point`](crate::hash_grid::write_point);
 /// `feature_gradient [chunks, rows, stride]`, from the row `params.first_row` on; `scale [3]`, see [`hash_grid_scale`](crate::hash_grid_scale::hash_grid_scale());
-/// `sum [2 entries features]`; `touched [ceil(entries features / 64)]` becomes 1 where something is added.  A point
+/// `sum [2 entries features]`; `touched [ceil(entries features / 64)]` becomes 1 where something is added. A point
 /// whose gradient is zero in a level adds nothing there; one above the limit, or NaN, raises `status`.
 #[kernel(threads(64), over(params.points, levels.len()), iterations = 2 * MAX_FEATURES, z_serial, lanes(points), counts(points))]
 pub fn hash_grid_backward<L: Lane>(
@@ -99,7 +99,7 @@ pub fn hash_grid_backward<L: Lane>(
     }
 }
 
-/// Whether all corners have something.
+/// Whether all eight are true.
 #[inline(always)]
 fn all([a, b, c, d, e, f, g, h]: [bool; 8]) -> bool {
     a & b & c & d & e & f & g & h

@@ -1,6 +1,6 @@
 //! The hash grid with entries as 16-bit floats: half the memory, and half the reads.
 //!
-//! Two features are one word: an entry takes half as many words as it has features, rounded up.  Features are
+//! Two features are one word: an entry takes half as many words as it has features, rounded up. Features are
 //! rounded once, to 11 bits, when the table is packed; all else is as in [`hash_grid`](crate::hash_grid).
 
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, sum, value_at};

@@ -2,7 +2,7 @@
 //! no sum overflows.
 //!
 //! A network's gradient is at most as large as its outputs' gradient, times `max_i sum_o |W[o, i]|` of each layer; ReLU
-//! makes none larger.  A sum has at most as many terms of that size as there are samples: the weights of a sample's
+//! makes none larger. A sum has at most as many terms of that size as there are samples: the weights of a sample's
 //! corners add up to 1.
 
 use glam::Vec4;
@@ -38,7 +38,7 @@ const MARGIN: f32 = 1.01;
 /// Parameters of [`hash_grid_peak`].
 #[params]
 pub struct HashGridPeakParams {
-    /// Pairs in the batch.
+    /// Pairs of the part.
     pub pairs: u32,
     /// 1 for the color network, 0 for the transmittance network.
     pub color: u32,
@@ -130,7 +130,7 @@ pub struct HashGridScaleParams {
 /// The scale from `bound [1 + layers]`, which is cleared for the next time: a single invocation.
 ///
 /// With 2^e above the product of the bounds and 2^b the next power of two of the samples, the scale is `2^(62 - e - b)`,
-/// and 2^126 at most: no sum reaches 2^63.  Where a bound is infinite or NaN, the limit is 0, so that nothing is added,
+/// and 2^126 at most: no sum reaches 2^63. Where a bound is infinite or NaN, the limit is 0, so that nothing is added,
 /// and `status` is raised.
 #[kernel(threads(1), over(1), iterations = MAX_LAYERS + 1, counts(samples))]
 pub fn hash_grid_scale(
@@ -165,7 +165,7 @@ pub fn hash_grid_scale(
         scale.write(SCALE, power_of_two(unit));
         scale.write(INVERSE, power_of_two(-unit));
         let is_finite = largest < INFINITY_BITS;
-        // the number before 2^e
+        // the largest number below 2^e
         let limit = f32::from_bits((((above + 127) as u32) << 23) - 1);
         scale.write(LIMIT, if is_finite { limit } else { 0.0 });
         if !is_finite {

@@ -3,7 +3,9 @@
 //! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`occupancy`], [`segment`], [`transmittance`], [`color`] (both with
 //! [`hash_grid`] and [`dense`]), [`splat`], [`tile_cells`], [`composite`], [`resolve`], [`pixels`]. Gradients run the other way, in the same
 //! files or those named `_backward`; [`loss`], [`ssim`], [`exposure`] and [`adam`] are for training.
-//! `docs/architecture.md` has the map.
+//! `docs/architecture.md` has the map. `docs/pipeline.md` has the equations, in sections A, B1, B2, B3 and C, which a file names first.
+//!
+//! In the description of a kernel, `name [rows, columns]` is a buffer and its shape.
 //!
 //! Rust-GPU compiles this crate to SPIR-V. The host compiles it too, to run kernels on the CPU and to dispatch them.
 #![no_std]

@@ -20,7 +20,7 @@ pub const MAX_LEVELS: u32 = 32;
 /// Largest number of features of a level.
 pub const MAX_FEATURES: u32 = 8;
 
-/// Largest number of samples of a segment, and of one across the whole unit cube.
+/// Largest number of samples of a segment. A scene's step must be so long that the diagonal of the unit cube has no more.
 pub const MAX_SAMPLES: u32 = 16_384;
 
 /// Intersections that one dispatch of [`composite`](crate::composite::composite) adds up; a fuller tile takes more passes.

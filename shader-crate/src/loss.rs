@@ -64,7 +64,7 @@ pub fn loss_terms(
 /// Sums of rows of pixels: `row_sum [K, S]` is `(|d|, 1 - SSIM, d^2, m)`, the first three over all channels.
 ///
 /// `difference [K, S, S]` of [`loss_terms`], `dissimilarity [K, S, S]` of
-/// [`ssim_columns`](crate::ssim::ssim_columns).  Rows along x and y; the host adds them up, so that the order is
+/// [`ssim_columns`](crate::ssim::ssim_columns). Rows along x and y; the host adds them up, so that the order is
 /// always the same.
 #[kernel(threads(64), over(params.tiles * params.side), iterations = MAX_TILE_SIDE)]
 pub fn loss_rows(
@@ -140,7 +140,7 @@ pub fn sign(x: f32) -> f32 {
     }
 }
 
-/// `grad_image [K, 3, S, S]`, the derivative of the batch's loss by each value of the image: pixels along x and y, tiles
+/// `grad_image [K, 3, S, S]`, the derivative of the batch's loss with respect to the image: pixels along x and y, tiles
 /// along z.
 ///
 /// Completes the adjoint of the windows along columns: `row_slopes [K, S, S, 3]` of
@@ -180,7 +180,7 @@ pub fn loss_gradient(
             (constant + d * by_difference + sum.read(tile + pixel) * by_sum) * params.ssim_scale;
         let absolute = params.absolute_scale;
         let first = tile * 3 + pixel;
-        // the mask, for d is 0 where it is
+        // the mask; d is 0 where the mask is
         let m = d.w;
         grad_image.write(first, m * (slope.x + absolute * sign(d.x)));
         grad_image.write(first + area, m * (slope.y + absolute * sign(d.y)));

@@ -16,9 +16,9 @@ use muslin::prelude::*;
 
 /// Count of a cell that is full.
 pub const FULL: u32 = 1 << 12;
-/// Most nodes to either side of a Gaussian's center, along an axis.
+/// Largest number of nodes to either side of a Gaussian's center, along an axis.
 pub const MAX_HALF: u32 = 3;
-/// Most nodes along an axis.
+/// Largest number of nodes along an axis.
 const MAX_NODES: u32 = 2 * MAX_HALF + 1;
 /// The outermost nodes, in standard deviations.
 const REACH: f32 = 2.0;
@@ -50,7 +50,7 @@ fn half_of(scale: f32) -> u32 {
     min(REACH * scale + 0.5, MAX_HALF as f32) as u32
 }
 
-/// `exp(-x^2 / 2)` at the squares that nodes have: 0, 4/9, 1, 16/9 and 4. An exponential would take most of the kernel's time.
+/// `exp(-x^2 / 2)` for the squares x^2 of the nodes: 0, 4/9, 1, 16/9 and 4. An exponential would take most of the kernel's time.
 #[inline(always)]
 fn falloff(square: f32) -> f32 {
     if square < 0.2 {
@@ -99,7 +99,7 @@ pub fn occupancy_add(
         let [x, y, z] = rotation_columns(read_quaternion(rotation, gaussian));
         let cells = scale * (1.0 / params.cell);
         let section = max(max(cells.x * cells.y, cells.x * cells.z), cells.y * cells.z);
-        // 2 pi of the section, and twice as much: half a face fills a cell
+        // 2 pi times the section, doubled because half a face fills a cell
         let fill = 4.0 * core::f32::consts::PI * sigmoid(opacity.read(gaussian)) * section;
         let half_x = half_of(cells.x);
         let half_y = half_of(cells.y);
@@ -151,10 +151,10 @@ fn add(params: &OccupancyParams, scene_box: SceneBox, place: Vec3, count: f32, c
         let row = (z as u32 + 1) * entries + y as u32 + 1;
         let entry = row * entries + x as u32 + 1;
         let count = count as u32;
-        // Most cells that Gaussians reach are full soon, and a look is cheaper than an addition.
+        // Most cells that Gaussians reach are full soon, and reading is cheaper than adding.
         if counts.atomic_load(entry) < FULL {
             let before = atomic::add(counts, entry, count);
-            // in any order, it ends as the smaller of the sum and this; it cannot overflow
+            // in any order, the entry ends as min(sum, FULL); it cannot overflow
             if before + count > FULL {
                 counts.atomic_min(entry, FULL);
             }

@@ -12,8 +12,8 @@ pub struct PairMaskParams {
     pub words: u32,
 }
 
-/// The union of the masks of a camera's tiles, `mask [cameras, words]`, and its bits' number: words along x and y,
-/// cameras along z.  The tiles of camera c are `first_tile[c] .. first_tile[c + 1]`.
+/// The union of the masks of a camera's tiles, `mask [cameras, words]`, and how many bits each word has, `count [cameras, words]`:
+/// words along x and y, cameras along z. The tiles of camera c are `first_tile[c] .. first_tile[c + 1]`.
 #[kernel(threads(64), over(params.words, first_tile.len() - 1), iterations = MAX_TILES)]
 pub fn pair_mask(
     id: Invocation,
@@ -47,7 +47,7 @@ pub struct PairFillParams {
     pub gaussians: u32,
 }
 
-/// Writes the pairs, by camera and Gaussian ascending: `pair = camera * gaussians + gaussian`.
+/// Writes the slot of each pair, `pair [pairs] = camera * gaussians + gaussian`, in ascending order.
 #[kernel(threads(64), over(params.words, mask.len() / params.words.max(1)), iterations = u32::BITS)]
 pub fn pair_fill(
     id: Invocation,
@@ -87,16 +87,16 @@ pub struct PairSumParams {
     pub width: u32,
 }
 
-/// Values that an invocation of [`pair_sum`] sums.
-pub const SUMMED: u32 = 4;
+/// Values of a vector that one invocation of [`pair_sum`] adds up.
+const VALUES_PER_INVOCATION: u32 = 4;
 
-/// Adds the vectors of a Gaussian's pairs in some of the cameras to its own, one after the other: the gradient of what all cameras share, the
-/// material of Eq. 1 and the extra vector of Eq. 9.
+/// Adds the vectors of a Gaussian's pairs in some of the cameras to its own, one after the other. The vectors are gradients of what all
+/// cameras share: the material of Eq. 1 and the extra vector of Eq. 9.
 ///
 /// `mask` and `first_pair [cameras, words]`, `pair_vector [pairs, width]`, `vector [gaussians, width]`.
 ///
-/// An invocation sums [`SUMMED`] values of a Gaussian.
-#[kernel(threads(64), over(params.gaussians * params.width.div_ceil(SUMMED)), iterations = MAX_CAMERAS)]
+/// An invocation sums four values of a Gaussian.
+#[kernel(threads(64), over(params.gaussians * params.width.div_ceil(VALUES_PER_INVOCATION)), iterations = MAX_CAMERAS)]
 pub fn pair_sum(
     id: Invocation,
     params: &PairSumParams,
@@ -107,11 +107,13 @@ pub fn pair_sum(
 ) {
     let index = id.index();
     let width = params.width;
-    let groups = width.div_ceil(SUMMED);
+    let groups = width.div_ceil(VALUES_PER_INVOCATION);
     if index < params.gaussians * groups {
         let gaussian = index / groups;
-        let value = index % groups * SUMMED;
-        let [second, third, fourth] = [value + 1 < width, value + 2 < width, value + 3 < width];
+        let value = index % groups * VALUES_PER_INVOCATION;
+        let second = value + 1 < width;
+        let third = value + 2 < width;
+        let fourth = value + 3 < width;
         let bit = gaussian % 32;
         let mut at = params.first_camera * params.words + gaussian / 32;
         let to = gaussian * width + value;

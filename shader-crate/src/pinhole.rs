@@ -83,7 +83,7 @@ impl Pinhole {
         Self { pixel, row_x, row_y, t, z, ratio }
     }
 
-    /// The gradient with respect to t.  A ratio x/z or y/z that is clamped in J is a constant.
+    /// The gradient with respect to t. A ratio x/z or y/z that is clamped in J is a constant.
     #[inline(always)]
     pub fn backward(&self, camera: &Camera, pixel: Vec2, row_x: Vec3, row_y: Vec3) -> Vec3 {
         let Self { t, z, ratio, .. } = *self;

@@ -22,7 +22,7 @@ pub const VALUES: u32 = 6;
 /// Pairs that one invocation of [`pose_backward`] adds up.
 pub const BLOCK: u32 = 256;
 
-/// Derivative of [`project_gaussian`](crate::project::project_gaussian) with respect to the camera's pose, of dL/dmean2d and
+/// Derivative of [`project_gaussian`](crate::project::project_gaussian) with respect to the camera's pose, from dL/dmean2d and
 /// dL/dconic (xx, xy, yy): dL/dw and dL/dv.
 #[inline(always)]
 pub fn project_pose_backward(
@@ -45,7 +45,7 @@ pub struct PoseBackwardParams {
     pub gaussians: u32,
     /// Words of a camera's mask.
     pub words: u32,
-    /// The camera's number in the part.
+    /// Index of the camera in the part.
     pub camera: u32,
     /// Place in `sum`.
     pub place: u32,
@@ -57,11 +57,10 @@ pub struct PoseBackwardParams {
     pub blur: f32,
 }
 
-/// Adds the gradients of a camera's pairs by its pose to six values of `sum [17, values, 2]`: blocks of pairs along x
-/// and y.  A block is summed in f32, and blocks [exactly](binned).
+/// Adds dL/dpose of a camera, over its pairs, to six values of `sum [17, values, 2]`: blocks of pairs along x and y. A block is summed in f32, and blocks [exactly](binned).
 ///
-/// `pair [pairs]` and `first_pair [cameras, words + ..]` come from [`pair_fill`](crate::pair::pair_fill), with the number of
-/// all pairs at the end; `pair_gradient [pairs, 3]` comes from [`splat_backward`](crate::splat::splat_backward).
+/// `first_pair [cameras * words + 1]` is the scan of the pairs' counts, `pair [pairs]` comes from [`pair_fill`](crate::pair::pair_fill),
+/// and `pair_gradient [pairs, 3]` from [`splat_backward`](crate::splat::splat_backward).
 #[kernel(threads(64), over(params.blocks), iterations = BLOCK)]
 pub fn pose_backward(
     id: Invocation,
@@ -77,16 +76,16 @@ pub fn pose_backward(
 ) {
     let block = id.index();
     if block < params.blocks {
-        let slot = params.camera;
-        let view = Camera::read(camera, slot);
-        let last = first_pair.read((slot + 1) * params.words);
-        let mut next = first_pair.read(slot * params.words) + block * BLOCK;
+        let index = params.camera;
+        let view = Camera::read(camera, index);
+        let last = first_pair.read((index + 1) * params.words);
+        let mut next = first_pair.read(index * params.words) + block * BLOCK;
         let end = if next + BLOCK < last { next + BLOCK } else { last };
         let mut turn = Vec3::ZERO;
         let mut shift = Vec3::ZERO;
         let mut first = VECTORS * next;
         while next < end {
-            let gaussian = pair.read(next) - slot * params.gaussians;
+            let gaussian = pair.read(next) - index * params.gaussians;
             let center = read3(position, 3 * gaussian);
             let quaternion = read_quaternion(rotation, gaussian);
             let footprint =

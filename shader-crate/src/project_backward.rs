@@ -20,7 +20,7 @@ pub struct GaussianGradient {
     pub log_scale: Vec3,
 }
 
-/// Derivative of [`rotation_columns`](crate::project::rotation_columns), of dL/d of its columns.
+/// Derivative of [`rotation_columns`](crate::project::rotation_columns), from dL/d of its columns.
 #[inline(always)]
 pub fn rotation_columns_backward(q: Vec4, gradient: [Vec3; 3]) -> Vec4 {
     let [a, b, c] = gradient;
@@ -44,7 +44,7 @@ pub fn rotation_columns_backward(q: Vec4, gradient: [Vec3; 3]) -> Vec4 {
     (d - Vec4::new(w, x, y, z) * along) * scale
 }
 
-/// A loss's derivatives with respect to what a [`Footprint`] is made of.
+/// A loss's derivatives with respect to the parts of a [`Footprint`].
 #[derive(Clone, Copy, Debug)]
 pub struct FootprintGradient {
     /// Of the position in the camera's space.
@@ -59,7 +59,7 @@ pub struct FootprintGradient {
     pub log_scale: Vec3,
 }
 
-/// Derivative of [`project_gaussian`](crate::project::project_gaussian) for a Gaussian that is not culled, of dL/dmean2d
+/// Derivative of [`project_gaussian`](crate::project::project_gaussian) for a Gaussian that is not culled, from dL/dmean2d
 /// and dL/dconic (xx, xy, yy), with respect to its footprint.
 ///
 /// With H = J W R S and `cov2d = H H^T + blur I`: `dL/dH = -2 conic G conic H`, G the symmetric matrix of dL/dconic.
@@ -106,7 +106,7 @@ pub fn footprint_backward(
     FootprintGradient { t, row_x: d_row_x, row_y: d_row_y, axes: columns, log_scale }
 }
 
-/// Derivative of [`project_gaussian`](crate::project::project_gaussian) for a Gaussian that is not culled, of dL/dmean2d
+/// Derivative of [`project_gaussian`](crate::project::project_gaussian) for a Gaussian that is not culled, from dL/dmean2d
 /// and dL/dconic (xx, xy, yy).
 #[inline(always)]
 pub fn project_gaussian_backward(
@@ -127,8 +127,8 @@ pub fn project_gaussian_backward(
     }
 }
 
-/// The mask that each term passes before it is added. Compilers do not know it, so they cannot fuse the sum with the product before, which
-/// would round otherwise than a sum that begins with 0. naga has no way to forbid it.
+/// The mask of each term's bits before it is added. It changes nothing, but compilers do not know its value: so they cannot fuse the sum
+/// with the product before it, and it rounds as on the CPU. naga cannot forbid the fusion.
 pub const ALL_BITS: u32 = u32::MAX;
 
 /// Parameters of [`project_backward`].
@@ -174,17 +174,17 @@ pub fn project_backward(
         let log_axes = read3(log_scale, gaussian * 3);
         let n = params.gaussians;
         let end = params.first_camera + params.cameras;
-        let mut slot = params.first_camera;
-        while slot < end {
-            let bits = pair_mask.read(slot * params.words + word);
+        let mut index = params.first_camera;
+        while index < end {
+            let bits = pair_mask.read(index * params.words + word);
             if bits & bit != 0 {
                 let below = (bits & (bit - 1)).count_ones();
-                let first = VECTORS * (first_pair.read(slot * params.words + word) + below);
+                let first = VECTORS * (first_pair.read(index * params.words + word) + below);
                 let geometry = pair_gradient.read(first);
                 let conic = pair_gradient.read(first + 1);
                 let mean2d = Vec2::new(geometry.x, geometry.y);
                 let found = project_gaussian_backward(
-                    &Camera::read(camera, slot),
+                    &Camera::read(camera, index),
                     params.blur,
                     center,
                     quaternion,
@@ -196,7 +196,7 @@ pub fn project_backward(
                 let rows = [3 * gaussian, 3 * n + 4 * gaussian, 7 * n + 3 * gaussian];
                 add(gradient, params.bits, rows, found, 10 * n + gaussian, geometry.z);
             }
-            slot += 1;
+            index += 1;
         }
     }
 }

@@ -1,4 +1,4 @@
-//! B3. The division of a pixel's sums, or the background (Eq. 13), for all tiles of a batch at once (Eq. 16), and its
+//! B3. The division of a pixel's sums, or the background (Eq. 13), for all tiles of a part at once (Eq. 16), and its
 //! derivative: pixels along x and y, tiles along z.
 
 use crate::composite::SUM_PLANES;
@@ -32,7 +32,7 @@ struct Color<L> {
 }
 
 impl<L: Lane> Color<L> {
-    /// The planes of which the first has the pixel at `at`.
+    /// A pixel of three planes; its value in the first plane is at `at`.
     #[inline(always)]
     fn read(planes: Read<f32>, at: u32, area: u32) -> Self {
         Self {
@@ -94,7 +94,7 @@ impl ResolveParams {
 /// Writes `image [K, 3, S, S]` (Eq. 13 and 16) from `sum [tiles, 4, S, S]`: the sum divided by its weight if that exceeds 1,
 /// and over the background otherwise.
 ///
-/// The tile of the batch that is its `output`-th begins at `output * 3 S S`.
+/// A tile begins at `3 S S` times its [`output`](Tile::output).
 #[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side))]
 pub fn resolve<L: Lane>(
     id: Invocation,
@@ -109,7 +109,8 @@ pub fn resolve<L: Lane>(
         let at = place.y * params.side + place.x;
         let area = params.side * params.side;
         let first = t * SUM_PLANES * area + at;
-        let (color, weight) = (Color::<L>::read(sum, first, area), L::read(sum, first + 3 * area));
+        let color = Color::<L>::read(sum, first, area);
+        let weight = L::read(sum, first + 3 * area);
         let one = L::splat(1.0);
         let covered = color.add(params.background::<L>().scale(one - weight));
         let pixel = Color::select(params.is_divided(weight), color.scale(one / weight), covered);
@@ -117,8 +118,8 @@ pub fn resolve<L: Lane>(
     }
 }
 
-/// The derivative of [`resolve`]: `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS, of `image_gradient [K, 3, S, S]`,
-/// dL/dI, which lies as `image` does.
+/// The derivative of [`resolve`]: `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS, from `image_gradient [K, 3, S, S]`,
+/// dL/dI, which has the layout of `image`.
 ///
 /// Of the branch of Eq. 13 that was taken: `dL/dC = dL/dI / S` and `dL/dS = -(dL/dI . C) / S^2` where S passes 1,
 /// `dL/dC = dL/dI` and `dL/dS = -(dL/dI . b)` where it does not.
@@ -137,7 +138,8 @@ pub fn resolve_backward<L: Lane>(
         let at = place.y * params.side + place.x;
         let area = params.side * params.side;
         let first = t * SUM_PLANES * area + at;
-        let (color, weight) = (Color::<L>::read(sum, first, area), L::read(sum, first + 3 * area));
+        let color = Color::<L>::read(sum, first, area);
+        let weight = L::read(sum, first + 3 * area);
         let output = Tile::read(tile, t).output * 3 * area + at;
         let gradient = Color::<L>::read(image_gradient, output, area);
         let one = L::splat(1.0);

@@ -19,7 +19,7 @@ pub struct ScanParams {
 }
 
 /// Scans blocks of [`BLOCK`] values: `prefix [count + 1]` is exclusive and starts at 0 in each block, `block_sum` has
-/// the sum of each block.  The value at `count` is taken as 0, so that the last prefix becomes the total.
+/// the sum of each block. The value at `count` is taken as 0, so that the last prefix becomes the total.
 #[kernel(threads(64), over(block_sum.len() * 64), iterations = 2 * VALUES + THREADS.ilog2())]
 pub fn scan_block(
     id: Invocation,

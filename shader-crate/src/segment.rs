@@ -47,7 +47,7 @@ pub struct ContractedRay {
     /// r of the Gaussian.
     pub begin: f32,
     /// r of the camera minus r of the Gaussian.
-    pub way: f32,
+    pub span: f32,
     /// K; 0 without a ray.
     pub count: u32,
     /// `L / K / sigma`; 0 without a ray.
@@ -57,10 +57,10 @@ pub struct ContractedRay {
 /// Radius of the ball around the box, which takes half of the cube's side: `sqrt(3) / 4`.
 const BALL: f32 = 0.433_012_7;
 
-/// How far a ray's end may be from the cube's center on each axis: its square is a number.
+/// How far a ray's end may be from the cube's center on each axis: its square is finite.
 const FARTHEST: f32 = 1e15;
 
-/// The square root of [`TINY`]: a GPU can flush the square of a shorter way.
+/// The square root of [`TINY`]: a GPU can flush the square of a shorter length.
 const SHORTEST: f32 = 1.084_202_2e-19;
 
 /// A ray's end, not too far for an f32.
@@ -70,7 +70,7 @@ fn limited(x: Vec3) -> Vec3 {
     Vec3::new(limited(x.x), limited(x.y), limited(x.z))
 }
 
-/// r of a place u on a ray.
+/// r at a place u on a ray.
 #[inline(always)]
 fn squeeze(u: f32, radius: f32) -> f32 {
     let beyond = radius * (2.0 - radius / math::max(abs(u), radius));
@@ -83,7 +83,7 @@ fn squeeze(u: f32, radius: f32) -> f32 {
     }
 }
 
-/// The place u on a ray of an r.
+/// The place u on a ray where r has a value: the inverse of [`squeeze`].
 #[inline(always)]
 fn stretch<L: Lane>(r: L, radius: f32) -> L {
     let zero = L::splat(0.0);
@@ -109,8 +109,8 @@ pub fn contracted_ray(p: Vec3, eye: Vec3, step: f32) -> ContractedRay {
     let foot = eye - direction * end;
     let radius = math::max(length(foot), BALL);
     let begin = squeeze(end - whole, radius);
-    let way = squeeze(end, radius) - begin;
-    let l = BALL / radius * way;
+    let span = squeeze(end, radius) - begin;
+    let l = BALL / radius * span;
     let hit = l > 0.0;
     let count = clamp(ceil(l / step), 1.0, MAX_SAMPLES as f32);
     ContractedRay {
@@ -118,13 +118,13 @@ pub fn contracted_ray(p: Vec3, eye: Vec3, step: f32) -> ContractedRay {
         direction,
         radius,
         begin,
-        way,
+        span,
         count: if hit { count as u32 } else { 0 },
         factor: if hit { l / count / step } else { 0.0 },
     }
 }
 
-/// The contracted ray of a pair, of what [`segment`] wrote.
+/// The contracted ray of a pair, as [`segment`] has written it.
 #[inline(always)]
 pub fn read_contracted(segment: Read<Vec4>, pair: u32) -> [Vec4; 3] {
     let first = pair * SEGMENT_VECTORS;
@@ -144,7 +144,7 @@ pub fn contracted_place<L: Lane>([foot, direction, places]: [Vec4; 3], t: L) -> 
 }
 
 /// Vectors that a segment takes in a buffer: `(s, s_factor), (w, 0)`, the coarse parts, then the fine ones of both. Of a
-/// contracted ray they are `(foot, s_factor), (direction, radius), (begin, way, 0, 0)` and zeros.
+/// contracted ray they are `(foot, s_factor), (direction, radius), (begin, span, 0, 0)` and zeros.
 pub const SEGMENT_VECTORS: u32 = 4;
 
 /// The earlier of two places on a ray.
@@ -223,7 +223,7 @@ fn fine([x, y, z]: [Split; 3]) -> Vec3 {
     Vec3::new(x.fine, y.fine, z.fine)
 }
 
-/// A vector of its coarse and its fine parts.
+/// A vector from its coarse and its fine parts.
 #[inline(always)]
 fn joined(coarse: Vec4, fine: Vec4) -> [Split; 3] {
     [
@@ -233,7 +233,7 @@ fn joined(coarse: Vec4, fine: Vec4) -> [Split; 3] {
     ]
 }
 
-/// The segment s, w of a pair and its `s_factor`, of what [`segment`] wrote.
+/// The segment s, w of a pair and its `s_factor`, as [`segment`] has written them.
 #[inline(always)]
 pub fn read_segment(segment: Read<Vec4>, pair: u32) -> ([Split; 3], [Split; 3], f32) {
     let first = pair * SEGMENT_VECTORS;
@@ -247,7 +247,7 @@ pub fn read_segment(segment: Read<Vec4>, pair: u32) -> ([Split; 3], [Split; 3], 
 /// Parameters of [`segment`].
 #[params]
 pub struct SegmentParams {
-    /// Pairs in the batch.
+    /// Pairs of the part.
     pub pairs: u32,
     /// Gaussians of the scene.
     pub gaussians: u32,
@@ -280,7 +280,7 @@ pub fn segment(
             let ray = contracted_ray(from_center(p), from_center(eye), params.step);
             segment.write(first, ray.foot.extend(ray.factor));
             segment.write(first + 1, ray.direction.extend(ray.radius));
-            segment.write(first + 2, Vec4::new(ray.begin, ray.way, 0.0, 0.0));
+            segment.write(first + 2, Vec4::new(ray.begin, ray.span, 0.0, 0.0));
             segment.write(first + 3, Vec4::ZERO);
             count.write(index, ray.count);
         } else {
@@ -300,10 +300,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_way_without_a_square_has_no_long_direction() {
-        for way in [0.0, 1e-30, 1e-20, 0.5] {
-            let ray = contracted_ray(Vec3::ZERO, Vec3::new(way, 0.0, 0.0), 0.01);
-            assert!(length(ray.direction) <= 1.0, "{} of {way}", ray.direction);
+    fn a_ray_too_short_to_square_has_no_long_direction() {
+        for length_of_ray in [0.0, 1e-30, 1e-20, 0.5] {
+            let ray = contracted_ray(Vec3::ZERO, Vec3::new(length_of_ray, 0.0, 0.0), 0.01);
+            assert!(length(ray.direction) <= 1.0, "{} of {length_of_ray}", ray.direction);
         }
     }
 }

@@ -12,7 +12,7 @@ pub const VECTORS: u32 = 3;
 /// Parameters of [`splat`].
 #[params]
 pub struct SplatParams {
-    /// Pairs in the batch.
+    /// Pairs of the part.
     pub pairs: u32,
     /// Gaussians of the scene.
     pub gaussians: u32,
@@ -90,7 +90,7 @@ pub fn splat(
 /// Parameters of [`splat_backward`].
 #[params]
 pub struct SplatBackwardParams {
-    /// Pairs in the batch.
+    /// Pairs of the part.
     pub pairs: u32,
     /// Gaussians of the scene.
     pub gaussians: u32,

@@ -1,8 +1,8 @@
 //! The structural similarity of tiles (Wang, Bovik, Sheikh and Simoncelli 2004, Eq. 13), under a mask.
 //!
 //! A window of 11 x 11 Gaussian weights w around a pixel p gives means, variances and a covariance of the image x and the
-//! photograph y.  The weights are renormalized over the valid pixels of the tile in the window: with the mask m,
-//! `mean(v)_p = sum_i w_pi m_i v_i / W_p` and `W_p = sum_i w_pi m_i`.  Both sums are separable: rows, then columns.
+//! photograph y. The weights are renormalized over the valid pixels of the tile in the window: with the mask m,
+//! `mean(v)_p = sum_i w_pi m_i v_i / W_p` and `W_p = sum_i w_pi m_i`. Both sums are separable: rows, then columns.
 //!
 //! The sums are over `d = x - y` and `s = (x - 1/2) + (y - 1/2)`. The similarity is a function of these too:
 //!
@@ -48,7 +48,7 @@ pub struct SsimParams {
 pub struct Taps {
     /// The first pixel.
     pub first: u32,
-    /// Behind the last pixel.
+    /// Exclusive end.
     pub end: u32,
     /// The first pixel's weight among the [`WINDOW`].
     pub weight: u32,
@@ -140,7 +140,7 @@ impl Similarity {
         let inverse = 1.0 / d.w;
         let mean_d = d * inverse;
         let mean_s = s * inverse;
-        // rounding may leave a little less than nothing
+        // rounding may leave a variance below 0
         let variance_d = (dd * inverse - mean_d * mean_d).max(Vec4::ZERO);
         let variance_s = (ss * inverse - mean_s * mean_s).max(Vec4::ZERO);
         let one = Vec4::ONE;
@@ -166,7 +166,7 @@ impl Similarity {
 
 /// Completes the windows along columns: pixels along x and y, tiles along z.
 ///
-/// `difference [K, S, S]`: only its mask is read; `moments [K, S, S, 4]` of [`ssim_rows`].  Writes
+/// `difference [K, S, S]`: only its mask is read; `moments [K, S, S, 4]` of [`ssim_rows`]. Writes
 /// `dissimilarity [K, S, S]`, the sum of `1 - SSIM` over the three channels, and `slopes [K, S, S, 3]`, the rest of
 /// [`Similarity`]; both are 0 at masked pixels, whose windows do not count.
 #[kernel(threads(8, 8), over(params.side, params.side, difference.len() / (params.side * params.side)), iterations = WINDOW)]
@@ -222,8 +222,8 @@ pub fn ssim_columns(
 /// The adjoint of [`ssim_rows`]: each pixel takes the slopes of the windows of its row that it lies in.
 /// Pixels along x and y, tiles along z.
 ///
-/// The window is symmetric, so that this is the same sum once more.  The columns' adjoint is part of
-/// [`loss_gradient`](crate::loss::loss_gradient).  `slopes [K, S, S, 3]` and `row_slopes [K, S, S, 3]`.
+/// The window is symmetric, so that this is the same sum once more. The columns' adjoint is part of
+/// [`loss_gradient`](crate::loss::loss_gradient). `slopes [K, S, S, 3]` and `row_slopes [K, S, S, 3]`.
 #[kernel(threads(8, 8), over(params.side, params.side, slopes.len() / (SLOPES * params.side * params.side)), iterations = WINDOW)]
 pub fn ssim_rows_backward(
     id: Invocation,

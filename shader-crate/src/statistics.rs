@@ -1,4 +1,4 @@
-//! Statistics that densification decides by: how far a Gaussian's images are pulled, in how many cameras, and how large they are.
+//! Statistics that densification decides by: how strongly the loss pulls a Gaussian's projections, in how many cameras, and how large they are.
 
 use glam::{Vec3, Vec4};
 
@@ -21,7 +21,7 @@ pub struct StatisticsParams {
 }
 
 /// Adds the pairs of a Gaussian in some of the cameras, one after the other, to `statistics [gaussians]`: the sum of |dL/dmean2d| over cameras,
-/// the cameras that have the Gaussian as a pair, its largest radius in pixels, 0.
+/// how many cameras have the Gaussian in a pair, its largest radius in pixels, 0.
 ///
 /// `projection [cameras, gaussians, 2]` comes from [`project`](crate::project::project), `pair_gradient [pairs, 3]`
 /// from [`splat_backward`](crate::splat::splat_backward).
@@ -44,18 +44,18 @@ pub fn statistics(
         let mut seen = before.y;
         let mut radius = before.z;
         let end = params.first_camera + params.cameras;
-        let mut slot = params.first_camera;
-        while slot < end {
-            let bits = pair_mask.read(slot * params.words + word);
+        let mut camera = params.first_camera;
+        while camera < end {
+            let bits = pair_mask.read(camera * params.words + word);
             if bits & bit != 0 {
                 let below = (bits & (bit - 1)).count_ones();
-                let pair = first_pair.read(slot * params.words + word) + below;
+                let pair = first_pair.read(camera * params.words + word) + below;
                 let geometry = pair_gradient.read(VECTORS * pair);
                 moved += length(Vec3::new(geometry.x, geometry.y, 0.0));
                 seen += 1.0;
-                radius = max(radius, projection.read(2 * (slot * params.gaussians + gaussian)).z);
+                radius = max(radius, projection.read(2 * (camera * params.gaussians + gaussian)).z);
             }
-            slot += 1;
+            camera += 1;
         }
         if seen > before.y {
             statistics.write(gaussian, Vec4::new(moved, seen, radius, before.w));

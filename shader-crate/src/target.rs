@@ -1,4 +1,4 @@
-//! The photographs behind the tiles of a step, from photographs that lie on the device: red in a word's lowest byte, then green, blue, and 255
+//! The targets of a step's tiles, cut from photographs on the device. A pixel is a word: red in its lowest byte, then green, blue, and 255
 //! where the pixel is valid.
 
 use glam::Vec3;
@@ -32,7 +32,7 @@ pub struct TargetTile {
     pub x: i32,
     /// Row of the tile's first pixel in the image.
     pub y: i32,
-    /// Place of the tile among all K of them.
+    /// Index of the tile among all K.
     pub place: u32,
 }
 

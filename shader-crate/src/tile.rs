@@ -1,6 +1,6 @@
 //! C. Which Gaussians reach which tiles (Eq. 14-15).
 //!
-//! Intersections are bits: word w of a tile holds the Gaussians 32 w .. 32 w + 31.  Counting the bits, scanning
+//! Intersections are bits: word w of a tile holds the Gaussians 32 w .. 32 w + 31. Counting the bits, scanning
 //! the counts and writing out the bits gives every tile's intersections in ascending order by construction, with
 //! no atomics and no sorting.
 
@@ -12,7 +12,7 @@ use muslin::prelude::*;
 /// A tile as kernels see it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
-    /// Slot of the camera in the batch.
+    /// Index of the camera in the part.
     pub camera: u32,
     /// `o_t`, in pixels.
     pub origin: [i32; 2],
@@ -58,7 +58,7 @@ pub fn distance_squared(x: Vec2, low: Vec2, side: f32) -> f32 {
 /// Eq. 15, with a margin for the rounding of f32.
 ///
 /// Where q is at most the cutoff, the falloff is not zero. In any tiling, the Gaussian must then intersect the
-/// pixel's tile. An intersection too many adds exact zeros.
+/// pixel's tile. An intersection that is not needed adds exact zeros.
 #[inline(always)]
 pub fn reaches(mean2d: Vec2, radius: f32, low: Vec2, side: f32) -> bool {
     let r = radius * 1.001 + 0.01;
@@ -155,14 +155,14 @@ pub fn tile_fill(
 /// Parameters of [`tile_range`].
 #[params]
 pub struct TileRangeParams {
-    /// Tiles of the batch.
+    /// Tiles of the part.
     pub tiles: u32,
     /// Words of a tile's mask.
     pub words: u32,
 }
 
-/// Where the intersections of every tile begin: `tile_first [tiles + 1]`, of `first_intersection [tiles, words]` and the total
-/// behind it.
+/// Where the intersections of every tile begin: `tile_first [tiles + 1]`, from `first_intersection [tiles * words + 1]`, whose last
+/// value is the total.
 #[kernel(threads(64), over(params.tiles + 1))]
 pub fn tile_range(
     id: Invocation,

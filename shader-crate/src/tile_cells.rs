@@ -19,14 +19,14 @@ const ROWS: u32 = u32::BITS / COLUMNS;
 /// How the pixels of a tile fall into cells.
 #[derive(Clone, Copy)]
 pub struct Cells {
-    /// Of a cell, in pixels; no lanes lie in two columns.
+    /// Width of a cell, in pixels: a multiple of the widest lanes, so that no lanes lie in two columns.
     width: u32,
-    /// Of a cell, in pixels.
+    /// Height of a cell, in pixels.
     height: u32,
 }
 
 impl Cells {
-    /// Of a tile of a side, in pixels.
+    /// The cells of a tile of this side, in pixels.
     #[inline(always)]
     pub fn new(side: u32) -> Self {
         // the widest lanes

@@ -14,13 +14,13 @@ use muslin::prelude::*;
 /// Parameters of [`transmittance_inputs`].
 #[params]
 pub struct TransmittanceInputsParams {
-    /// Samples in this chunk.
+    /// Samples of the chunk.
     pub samples: u32,
-    /// First sample of this chunk.
+    /// First sample of the chunk.
     pub first_sample: u32,
     /// Distance of two rows in `point` and `input`.
     pub stride: u32,
-    /// Pairs in the batch.
+    /// Pairs of the part.
     pub pairs: u32,
     /// Gaussians of the scene.
     pub gaussians: u32,
@@ -34,13 +34,13 @@ pub struct TransmittanceInputsParams {
     pub occupancy: u32,
 }
 
-/// The pair that owns a sample: the last one whose samples do not begin after it.
+/// The pair that owns a sample: the last one whose samples do not begin after it. Likewise, the tile that owns an intersection.
 #[inline(always)]
 pub fn owner(first_sample: Read<u32>, pairs: u32, sample: u32) -> u32 {
     owner_among(first_sample, 0, pairs, sample)
 }
 
-/// As [`owner`], if it is known to be one of `low .. high`.
+/// As [`owner`], where it is known to be one of `low .. high`.
 #[loops]
 #[inline(always)]
 fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32 {
@@ -196,7 +196,7 @@ pub fn transmittance_head<L: Lane>(
 /// Parameters of [`segment_product`].
 #[params]
 pub struct SegmentProductParams {
-    /// Pairs in the batch.
+    /// Pairs of the part.
     pub pairs: u32,
     /// An exponent: n if steps are n times as long as sigma (Eq. 8), because `s_factor` counts these longer steps; otherwise 1.
     pub power: f32,

@@ -12,13 +12,13 @@ use muslin::prelude::*;
 /// Parameters of [`segment_product_backward`].
 #[params]
 pub struct SegmentProductBackwardParams {
-    /// Pairs that have samples in this chunk, and those between them.
+    /// Pairs that have samples in the chunk, and all between them.
     pub pairs: u32,
     /// The first of them.
     pub first_pair: u32,
-    /// Samples in this chunk.
+    /// Samples of the chunk.
     pub samples: u32,
-    /// First sample of this chunk.
+    /// First sample of the chunk.
     pub first_sample: u32,
     /// See [`SegmentProductParams::power`](crate::transmittance::SegmentProductParams::power).
     pub power: f32,
@@ -88,13 +88,13 @@ pub fn transmittance_head_backward<L: Lane>(
 /// Parameters of [`extra_backward`].
 #[params]
 pub struct ExtraBackwardParams {
-    /// Pairs that have samples in this chunk, and those between them.
+    /// Pairs that have samples in the chunk, and all between them.
     pub pairs: u32,
     /// The first of them.
     pub first_pair: u32,
-    /// Samples in this chunk.
+    /// Samples of the chunk.
     pub samples: u32,
-    /// First sample of this chunk.
+    /// First sample of the chunk.
     pub first_sample: u32,
     /// Distance of two rows in `input_gradient`.
     pub stride: u32,
@@ -104,7 +104,7 @@ pub struct ExtraBackwardParams {
     pub extra_row: u32,
 }
 
-/// Adds the gradients of the network's input (Eq. 9) of a pair's samples in this chunk to the gradient of the pair's extra
+/// Adds the gradients of the network's input (Eq. 9) of a pair's samples in the chunk to the gradient of the pair's extra
 /// vector: pairs along x and y, the vector's values along z.
 ///
 /// `first_sample [all pairs + 1]`, `input_gradient [rows, stride]`, `pair_extra [all pairs, extra]`.

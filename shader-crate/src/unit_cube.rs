@@ -1,6 +1,6 @@
 //! The unit cube: the space of the networks and the rays.
 //!
-//! An f32 near 1 has an ulp of 6e-8, and a grid of resolution 4,096 multiplies that error by 4,096.  So coordinates
+//! An f32 near 1 has an ulp of 6e-8, and a grid of resolution 4,096 multiplies that error by 4,096. So coordinates
 //! are kept in two parts that f32 arithmetic keeps exact; only products of numbers with few enough bits, truncations
 //! and differences of neighbors are used, which no compiler may round otherwise.
 

@@ -2,7 +2,7 @@
 //! memory.
 //!
 //! A workgroup takes a tile of the weights, of 64 inputs and 32 outputs, and an invocation 8 inputs and 4 outputs of it. The
-//! workgroup copies 8 vectors of four samples of all these rows, and multiplies them; then the next ones. So neighbors read
+//! workgroup copies 8 quads of all these rows, and multiplies them; then the next ones. So neighbors read
 //! what lies side by side in memory, and a value that is read there serves 32 or 64 products, instead of four.
 //!
 //! The sums have the order of the plain kernel.
@@ -10,8 +10,8 @@
 use glam::Vec4;
 
 use crate::dense_backward::{
-    DenseWeightBackwardParams, Outputs, QUAD, QuadCursor, SlicePart, add, add_quad, add_sums,
-    begin_sum, begin_sums, min, quad_of_row, total,
+    DenseWeightBackwardParams, Outputs, QUAD, QuadCursor, SlicePart, add_quad, add_sums, begin_sum,
+    begin_sums, min, quad_of_row, total,
 };
 use muslin::lane_vec4::LaneVec4;
 use muslin::prelude::*;
@@ -26,7 +26,7 @@ const OUTPUTS: u32 = 4;
 const TILE_INPUTS: u32 = SIDE * INPUTS;
 /// Outputs of a tile.
 const TILE_OUTPUTS: u32 = SIDE * OUTPUTS;
-/// Vectors of four samples that are copied at once, each by one of as many neighbors.
+/// Quads of a row that are copied at once, by as many neighbors.
 const QUADS: u32 = 8;
 /// Distance of two rows in workgroup memory. It is odd, so that eight neighbors read from different banks.
 const PITCH: u32 = QUADS + 1;
@@ -53,7 +53,7 @@ pub fn tiles(inputs: u32, columns: u32) -> u32 {
     inputs.div_ceil(TILE_INPUTS) * (4 * columns).div_ceil(TILE_OUTPUTS)
 }
 
-/// The first input and the first output of a workgroup's tile. Behind the last tile, there is no such input.
+/// The first input and the first output of a workgroup's tile. A workgroup past the last tile has an input that the layer lacks.
 #[inline(always)]
 pub fn tile_of(params: &DenseWeightBackwardParams, workgroup: u32) -> [u32; 2] {
     let across = (4 * params.columns - 1) / TILE_OUTPUTS + 1;
@@ -85,7 +85,8 @@ pub fn add_tile(
     sum: Write<impl SumWord>,
     staged: &mut impl SharedTile<Vec4, STAGED>,
 ) {
-    let [down, across] = [id.local.x / SIDE, id.local.x % SIDE];
+    let down = id.local.x / SIDE;
+    let across = id.local.x % SIDE;
     let outputs = Outputs { first: tile[1] + across, step: SIDE, end: 4 * params.columns };
     let input = tile[0] + down;
     let next = input + 4 * SIDE;
@@ -179,9 +180,10 @@ fn sum_tile(
     has_bias: bool,
     staged: &mut impl SharedTile<Vec4, STAGED>,
 ) -> Sums {
-    let [down, across] = [id.local.x / SIDE, id.local.x % SIDE];
+    let down = id.local.x / SIDE;
+    let across = id.local.x % SIDE;
     let Sums { sums, more, mut biases } = before;
-    // variables, for an aggregate of them would stay in memory
+    // in variables: an array of them would stay in memory
     let [mut sum0, mut sum1, mut sum2, mut sum3] = sums;
     let [mut sum4, mut sum5, mut sum6, mut sum7] = more;
     let mut cursor = QuadCursor { at: begin / QUAD, begin, end };
@@ -204,7 +206,7 @@ fn sum_tile(
             sum6 = add_quad(sum6, staged_row(staged, at + 6 * STEP), g);
             sum7 = add_quad(sum7, staged_row(staged, at + 7 * STEP), g);
             if has_bias {
-                biases = add(add(add(add(biases, g[0]), g[1]), g[2]), g[3]);
+                biases = add_quad(biases, [1.0; QUAD as usize], g);
             }
             quad += 1;
         }
@@ -224,8 +226,9 @@ fn stage(
     cursor: QuadCursor,
     staged: &mut impl SharedTile<Vec4, STAGED>,
 ) {
-    let [row, quad] = [id.local.x / QUADS, id.local.x % QUADS];
-    // behind the last vector, which nothing multiplies, it is read again
+    let row = id.local.x / QUADS;
+    let quad = id.local.x % QUADS;
+    // past the last quad, the last one is read again; nothing multiplies that copy
     let cursor = QuadCursor { at: min(cursor.at + quad, (cursor.end - 1) / QUAD), ..cursor };
     let stride = params.stride / QUAD;
     let last = [params.inputs - 1, 4 * params.columns - 1];
@@ -239,7 +242,7 @@ fn stage(
     store_rows(staged, at + TILE_INPUTS * PITCH, g);
 }
 
-/// A vector of every eighth row, from the first on, with zeros for samples that do not count. Rows past the last repeat it.
+/// A quad of every eighth row, from the first on, with zeros for samples that do not count. Rows past the last repeat it.
 #[inline(always)]
 fn read_rows(
     rows: ReadFours<f32>,
@@ -257,7 +260,7 @@ fn read_rows(
     ]
 }
 
-/// Stores a vector of every eighth row.
+/// Stores a quad of every eighth row.
 #[inline(always)]
 fn store_rows(
     staged: &mut impl SharedTile<Vec4, STAGED>,
@@ -270,13 +273,13 @@ fn store_rows(
     staged.store(at + 3 * STEP, Vec4::from_array(row3));
 }
 
-/// Four samples of a row in workgroup memory.
+/// A quad of a row in workgroup memory.
 #[inline(always)]
 fn staged_row(staged: &impl SharedTile<Vec4, STAGED>, at: u32) -> [f32; QUAD as usize] {
     staged.load(at).to_array()
 }
 
-/// Four samples of four outputs.
+/// A quad of four outputs.
 #[inline(always)]
 fn staged_columns(
     staged: &impl SharedTile<Vec4, STAGED>,

@@ -6,7 +6,6 @@
 //! ```
 
 use organza::render::{LossBatch, LossGradient};
-use organza::train::StepHooks;
 use organza::{Dataset, DatasetOptions, DeviceOptions, Renderer, TrainConfig, Trainer};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -22,9 +21,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     config.run.steps = steps.parse()?;
 
     let mut trainer = Trainer::start(&renderer, config, dataset)?;
-    let mut hooks = StepHooks::new().loss(|batch| Ok(charbonnier(batch)));
     while !trainer.is_finished() {
-        let report = trainer.step_with(&mut hooks)?;
+        let report = trainer.step_with(|batch| Ok(charbonnier(batch)))?;
         if trainer.steps().is_multiple_of(50) {
             println!("step {}: loss {:.4}", trainer.steps(), report.loss);
         }
@@ -34,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The loss, and its derivative by each value of the tiles, `[K, 3, S, S]`.
+/// The loss, and its gradient with respect to the tiles, `[K, 3, S, S]`.
 fn charbonnier(batch: &LossBatch<'_>) -> LossGradient {
     let rendered = &batch.rendered.data;
     let count = rendered.len() as f32;

@@ -35,7 +35,7 @@
 //! ```
 //!
 //! [`Renderer::gradient`] computes the gradient of any loss, and [`Renderer::record`] the tiles as well.
-//! [`train::StepHooks`] passes a loss to a [`Trainer`].
+//! [`Trainer::step_with`] trains with a loss of your own.
 
 //! # Features
 //!

@@ -8,11 +8,9 @@ use std::thread::JoinHandle;
 
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray4};
 use organza::Renderer as Device;
-use organza::render::{LossBatch, LossGradient};
+use organza::render::{LossBatch, LossGradient, OwnLoss};
 use organza::train::report::Reporter;
-use organza::train::{
-    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, RunFolder, Session, StepHooks,
-};
+use organza::train::{self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, RunFolder, Session};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -327,13 +325,6 @@ impl Run {
         let _ = self.messages.send(Message::End(outcome));
     }
 
-    fn hooks(&self) -> StepHooks<'_> {
-        match self.has_loss {
-            true => StepHooks::new().loss(|batch| self.loss(batch)),
-            false => StepHooks::new(),
-        }
-    }
-
     fn loss(&self, batch: &LossBatch<'_>) -> organza::Result<LossGradient> {
         self.send(Message::Loss {
             rendered: batch.rendered.data.clone(),
@@ -380,7 +371,9 @@ impl Run {
             }
             Ok(())
         };
-        let outcome = session.run_with(self.resume, &mut watch, &mut self.hooks())?;
+        let mut loss: OwnLoss<'_> = Box::new(|batch| self.loss(batch));
+        let loss = self.has_loss.then_some(&mut loss);
+        let outcome = session.run_with(self.resume, &mut watch, loss)?;
         Ok(match outcome {
             Outcome::Finished => "finished",
             Outcome::TimeLimit => "time limit",

@@ -6,7 +6,7 @@ use std::thread;
 
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::scene::Placement;
-use organza::train::{self, StepHooks, TrainConfig};
+use organza::train::{self, TrainConfig};
 use organza::{Dataset, DeviceOptions, Error, Renderer, Result, error};
 
 use super::console::Console;
@@ -125,7 +125,7 @@ impl RankGroup {
             let options = self.places().device(device.options()?, ranks.rank());
             let renderer = device.open_as(&options, console)?;
             let dataset = Arc::new(data.read(&renderer, console)?);
-            train::follow(&renderer, &dataset, ranks, self.mixed, &mut StepHooks::new())
+            train::follow(&renderer, &dataset, ranks, self.mixed, None)
         };
         follow().inspect_err(|error| ranks.fail(&error::chain(error)))
     }
@@ -160,7 +160,7 @@ pub fn follow_thread(
     let ranks: Arc<dyn Ranks> = Arc::new(ranks);
     let follow = || {
         let renderer = Renderer::new(organza::open_device(options)?);
-        train::follow(&renderer, dataset, &ranks, mixed, &mut StepHooks::new())
+        train::follow(&renderer, dataset, &ranks, mixed, None)
     };
     if let Err(error) = follow() {
         ranks.fail(&error::chain(&error));

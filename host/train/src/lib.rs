@@ -15,7 +15,6 @@ pub mod evaluate;
 mod folder;
 mod folder_lock;
 mod held_out;
-mod hooks;
 mod import;
 pub mod metrics;
 mod optimizer;
@@ -42,7 +41,6 @@ pub use folder::{
     is_run_file,
 };
 pub use folder_lock::FolderLock;
-pub use hooks::{GradientHook, StepGradient, StepHooks};
 pub use import::{Import, Imported, import};
 pub use per_photograph::PerPhotograph;
 pub use ranks::follow;

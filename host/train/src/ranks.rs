@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::held_out;
 use crate::evaluate::{Evaluation, Score, ViewScore, evaluate_view};
-use crate::{Checkpoint, StepHooks, TrainConfig, Trainer};
+use crate::{Checkpoint, TrainConfig, Trainer};
 use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::ranks::{self, Ranks};
 use organza_core::{Camera, Image};
 use organza_data::{Dataset, Frame};
-use organza_render::Renderer;
+use organza_render::{OwnLoss, Renderer};
 
 /// The next action of all ranks, which rank 0 chooses.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -55,14 +55,13 @@ fn check_photographs(
     )
 }
 
-/// Makes sure that all ranks have hooks of the same kinds.
-fn check_hooks(ranks: &dyn Ranks, hooks: &StepHooks<'_>) -> Result<()> {
-    let mine = format!("{hooks:?}").into_bytes();
+/// Fails if some ranks have a loss of their own, and others have not.
+fn check_losses(ranks: &dyn Ranks, has_own_loss: bool) -> Result<()> {
+    let mine = vec![u8::from(has_own_loss)];
     match ranks.gather(mine.clone())?.iter().all(|other| *other == mine) {
         true => Ok(()),
         false => Err(Error::Argument {
-            reason: "some ranks have a loss or a gradient hook of their own, and others have not"
-                .into(),
+            reason: "some ranks have a loss of their own, and others have not".into(),
         }),
     }
 }
@@ -73,17 +72,17 @@ pub(super) fn lead(
     renderer: &Renderer,
     (config, dataset): (&TrainConfig, &Dataset),
     checkpoint: &Checkpoint,
-    hooks: &StepHooks<'_>,
+    has_own_loss: bool,
     mixed: bool,
 ) -> Result<()> {
     check_photographs(ranks, renderer, dataset, mixed)?;
-    check_hooks(ranks, hooks)?;
+    check_losses(ranks, has_own_loss)?;
     tell(ranks, &config.to_toml())?;
     ranks.broadcast(checkpoint.to_bytes()?).map(drop)
 }
 
 /// Takes part in the run of rank 0's [`Session`](super::Session), to its end. The session sends its settings and its scene.
-/// The photographs, `mixed` and `hooks` must be the same as the session's. Every step calls `hooks`.
+/// The photographs, `mixed` and the caller's own loss must be the same as the session's.
 ///
 /// # Errors
 /// The same errors as [`Session::run`](super::Session::run); [`Error::Rank`](organza_core::Error::Rank) where another
@@ -93,10 +92,10 @@ pub fn follow(
     dataset: &Arc<Dataset>,
     ranks: &Arc<dyn Ranks>,
     mixed: bool,
-    hooks: &mut StepHooks<'_>,
+    mut own: Option<&mut OwnLoss<'_>>,
 ) -> Result<()> {
     check_photographs(&**ranks, renderer, dataset, mixed)?;
-    check_hooks(&**ranks, hooks)?;
+    check_losses(&**ranks, own.is_some())?;
     let text: String = hear(&**ranks)?;
     let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
     let bytes = ranks.broadcast(Vec::new())?;
@@ -111,7 +110,7 @@ pub fn follow(
                 if steps != trainer.config().run.steps {
                     trainer.reschedule(steps);
                 }
-                trainer.step_with(hooks)?;
+                trainer.waiting_step(own.as_deref_mut())?;
             }
             Order::Evaluate { first, all } => {
                 let frames = held_out::frames(dataset, trainer.config().run.evaluate_views, all);

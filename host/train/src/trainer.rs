@@ -1,5 +1,5 @@
 //! One step after the other: draw tiles, render, compare, run the backward pass, update, densify.
-//! The state that a step changes, and its measurements.
+//! The state that a step changes, and the measurements of a step.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use super::requirements::check;
 use super::sampler::valid_pixels;
 use super::start;
 use crate::evaluate::{Evaluation, evaluate_with};
-use crate::{Checkpoint, Progress, StepGradient, StepHooks, TrainConfig};
+use crate::{Checkpoint, Progress, TrainConfig};
 use glam::Vec4;
 use muslin_device::{Buffer, Device, Pending};
 use organza_core::ranks::Ranks;
@@ -22,7 +22,8 @@ use organza_core::scene::Gaussians;
 use organza_core::{Camera, Error, Result, metrics};
 use organza_data::Dataset;
 use organza_render::{
-    BatchLoss, DeviceScene, LossTarget, QueuedLoss, Renderer, SceneGradient, TileLoss,
+    BatchLoss, DeviceScene, LossBatch, LossGradient, LossTarget, OwnLoss, QueuedLoss, Renderer,
+    SceneGradient, TileLoss,
 };
 
 /// Trains a scene, step by step. Everything that a step changes stays on the device.
@@ -63,14 +64,14 @@ pub struct Trainer {
     pub(super) renderer: Renderer,
     pub(super) config: TrainConfig,
     dataset: Arc<Dataset>,
-    /// Of the frames to train on; where poses are refined, as they are now.
+    /// The cameras of the frames to train on, with their refined poses.
     cameras: Vec<Camera>,
-    /// Of the frames to train on, on a GPU.
+    /// The photographs to train on that stay on a GPU.
     photographs: Option<ResidentPhotographs>,
     batches: Batches,
-    /// Of the photographs to train on, where they are learned.
+    /// The exposures of the photographs to train on, if they are learned.
     pub(super) exposures: Option<Exposures>,
-    /// Of the photographs to train on, where they are refined.
+    /// The poses of the photographs to train on, if they are refined.
     poses: Option<PoseSet>,
     pub(super) state: TrainerState,
     pub(super) step: u32,
@@ -192,7 +193,7 @@ impl Trainer {
         &self.config
     }
 
-    /// From this step on, the run has `steps` steps: learning rates and densification follow.
+    /// Changes the number of all steps of the run. Learning rates and densification follow from this step on.
     pub(super) fn reschedule(&mut self, steps: u32) {
         self.config.run.reschedule(self.step, steps);
     }
@@ -203,7 +204,7 @@ impl Trainer {
         &self.dataset
     }
 
-    /// The cameras of the frames to train on, in their order; where poses are refined, as they are now.
+    /// The cameras of the frames to train on, in their order, with their refined poses.
     #[must_use]
     pub fn cameras(&self) -> &[Camera] {
         &self.cameras
@@ -257,35 +258,75 @@ impl Trainer {
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory). The trainer is then as before the
     /// step.
     pub fn step(&mut self) -> Result<StepReport> {
-        self.step_with(&mut StepHooks::new())
+        self.waiting_step(None)
     }
 
-    /// Like [`Trainer::step`], with a loss of your own, or with a function between the gradient and Adam.
+    /// Like [`Trainer::step`], with a loss of your own: a function of the rendered tiles Y `[K, 3, S, S]` and of the photographs behind
+    /// them. It returns the loss and `grad_tiles`, dL/dY.
+    ///
+    /// It sees all tiles of a step at once, also other ranks' tiles. If exposures are learned, tiles have the exposure of
+    /// their photographs. This is a step with the mean squared error:
+    ///
+    /// ```
+    /// # use muslin_device::DeviceOptions;
+    /// # use organza_render::Renderer;
+    /// # use organza_train::{TrainConfig, Trainer, built_in};
+    /// use organza_render::LossGradient;
+    ///
+    /// # let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(None))?);
+    /// # let dataset = built_in::dataset(&renderer, 4, 32, 2)?;
+    /// # let mut config = TrainConfig::default();
+    /// # (config.run.tiles_per_step, config.run.tile_size, config.start.gaussians) = (2, 16, 100);
+    /// # let mut trainer = Trainer::start(&renderer, config, dataset)?;
+    /// let report = trainer.step_with(|batch| {
+    ///     let pairs = batch.rendered.data.iter().zip(batch.target.image);
+    ///     let difference: Vec<f32> = pairs.map(|(y, truth)| y - truth).collect();
+    ///     let n = difference.len() as f32;
+    ///     Ok(LossGradient {
+    ///         loss: difference.iter().map(|d| f64::from(d * d / n)).sum(),
+    ///         grad_tiles: difference.iter().map(|d| 2.0 * d / n).collect(),
+    ///     })
+    /// })?;
+    /// assert!(report.loss > 0.0 && trainer.steps() == 1);
+    /// # Ok::<(), organza_core::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// The errors of [`Trainer::step`] and of the hooks.
-    pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
+    /// The errors of [`Trainer::step`] and of the loss.
+    pub fn step_with(
+        &mut self,
+        loss: impl FnMut(&LossBatch<'_>) -> Result<LossGradient>,
+    ) -> Result<StepReport> {
+        let mut own: OwnLoss<'_> = Box::new(loss);
+        self.waiting_step(Some(&mut own))
+    }
+
+    /// A step, with a caller's own loss if there is one. The host waits for its loss.
+    pub(super) fn waiting_step(&mut self, own: Option<&mut OwnLoss<'_>>) -> Result<StepReport> {
         self.finish_steps()?;
-        let drawn = self.draw(hooks);
-        let report = self.finished_step(&drawn, hooks)?;
+        let drawn = self.draw(own.is_some());
+        let report = self.finished_step(&drawn, own)?;
         self.densify_if_due(report)
     }
 
-    /// Goes on by one step. Returns the reports of the steps that are finished, in their order.
+    /// Goes on by one step, with a caller's own loss if there is one. Returns the reports of the steps that are finished, in their order.
     ///
     /// On a GPU, steps are queued: the host prepares the next one while the GPU works, and reads the losses of a step `ahead`
-    /// steps later. It waits in every step for ranks, hooks and poses, whose numbers the next step needs, and where
+    /// steps later. It waits in every step for ranks, poses and an own loss, whose numbers the next step needs, and where
     /// [`Renderer::queue_loss_gradient`] says so. On a CPU, nothing is queued. The bits of the scene are the same.
     ///
     /// # Errors
     /// The same errors as [`Trainer::step_with`].
-    pub fn advance(&mut self, hooks: &mut StepHooks<'_>, ahead: usize) -> Result<Vec<StepReport>> {
-        let drawn = self.draw(hooks);
+    pub fn advance(
+        &mut self,
+        own: Option<&mut OwnLoss<'_>>,
+        ahead: usize,
+    ) -> Result<Vec<StepReport>> {
+        let drawn = self.draw(own.is_some());
         let waits = !self.renderer.device().has_indirect_counts()
             || self.ranks.is_some()
             || self.poses.is_some()
-            || hooks.loss.is_some()
-            || hooks.gradient.is_some();
+            || own.is_some();
         let queued = if waits { Ok(None) } else { self.queue(&drawn) };
         let mut reports = Vec::new();
         match queued {
@@ -301,7 +342,7 @@ impl Trainer {
             Err(error) if !error.is_out_of_memory() => return Err(error),
             Ok(None) | Err(_) => {
                 reports = self.finish_steps()?;
-                reports.push(self.finished_step(&drawn, hooks)?);
+                reports.push(self.finished_step(&drawn, own)?);
             }
         }
         if let Some(last) = reports.pop() {
@@ -310,7 +351,7 @@ impl Trainer {
         Ok(reports)
     }
 
-    /// Waits for all queued steps, and returns their reports. What looks at the scene comes after this.
+    /// Waits for all queued steps, and returns their reports. Call it before you read the scene.
     ///
     /// # Errors
     /// The same errors as [`Trainer::step`].
@@ -336,33 +377,32 @@ impl Trainer {
         let later: Vec<_> = self.queued.drain(..).map(|queued| queued.drawn).collect();
         self.step = step;
         for drawn in std::iter::once(drawn).chain(later) {
-            reports.push(self.finished_step(&drawn, &mut StepHooks::new())?);
+            reports.push(self.finished_step(&drawn, None)?);
         }
         Ok(())
     }
 
     /// The tiles of the next step.
-    fn draw(&mut self, hooks: &StepHooks<'_>) -> Drawn {
+    fn draw(&mut self, has_own_loss: bool) -> Drawn {
         let frames: Vec<_> = self.dataset.train_frames().collect();
-        match hooks.loss {
-            // a caller may know photographs by their pixels, and tiles by what renders them
-            Some(_) => self.batches.whole(self.step, &frames),
-            None => self.batches.draw(&self.config.run, self.step, &frames),
+        match has_own_loss {
+            // a caller compares with the photographs' own pixels: no step is coarse
+            true => self.batches.whole(self.step, &frames),
+            false => self.batches.draw(&self.config.run, self.step, &frames),
         }
     }
 
-    /// A step, for whose loss the host waits.
-    fn finished_step(&mut self, drawn: &Drawn, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
+    /// Takes a step with these tiles. The host waits for its loss.
+    fn finished_step(
+        &mut self,
+        drawn: &Drawn,
+        own: Option<&mut OwnLoss<'_>>,
+    ) -> Result<StepReport> {
         self.state.set_transmittance(self.config.learns_transmittance(self.step));
-        let rollback = |trainer: &Self| trainer.state.gradient.rollback(trainer.renderer.device());
-        let report = self.add_gradient(drawn, hooks)?;
-        report.check(self.step).inspect_err(|_| rollback(self))?;
+        let report = self.add_gradient(drawn, own)?;
         let device = self.renderer.device();
         let TrainerState { scene, gradient, .. } = &self.state;
-        if let Some(hook) = &mut hooks.gradient {
-            let between = StepGradient { device, step: self.step, scene, gradient };
-            hook(&between).inspect_err(|_| rollback(self))?;
-        }
+        report.check(self.step).inspect_err(|_| gradient.rollback(device))?;
         let done = self.config.run.fraction(self.step);
         let settings = &self.config.optimizer;
         if let Some(poses) = &mut self.poses {
@@ -381,7 +421,7 @@ impl Trainer {
         Ok(report)
     }
 
-    /// A step whose loss the host reads later. `None`, with nothing queued, where it must wait.
+    /// Queues a step, whose loss the host reads later. `None`, with nothing queued, where it must wait.
     fn queue(&mut self, drawn: &Drawn) -> Result<Option<(QueuedLoss, Pending)>> {
         self.state.set_transmittance(self.config.learns_transmittance(self.step));
         let device = self.renderer.device();
@@ -436,14 +476,14 @@ impl Trainer {
         })
     }
 
-    /// Adds the gradient of a batch's loss; returns what it measured.
-    fn add_gradient(&self, drawn: &Drawn, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
+    /// Adds the gradient of a batch's loss. Returns the measurements.
+    fn add_gradient(&self, drawn: &Drawn, mut own: Option<&mut OwnLoss<'_>>) -> Result<StepReport> {
         let TrainerState { scene, gradient, .. } = &self.state;
         let cameras = &drawn.cameras(&self.cameras);
         let scene = &scene.coarser(drawn.factor, drawn.ray_steps);
         let ranks = self.ranks.as_deref();
         let found = self.with_target(drawn, &mut |target| {
-            let own = hooks.loss.as_mut();
+            let own = own.as_deref_mut();
             let batch = &drawn.batch;
             self.renderer.add_loss_gradient(scene, cameras, batch, target, own, gradient, ranks)
         })?;
@@ -461,7 +501,7 @@ impl Trainer {
         is_time_to_densify(&self.config, self.step)
     }
 
-    /// On the host: once in many steps.
+    /// Densifies on the host, which happens once in many steps.
     fn densify(&mut self) -> Result<DensificationStats> {
         let device = self.renderer.device();
         let mut population = self.state.population(device)?;
@@ -590,7 +630,7 @@ impl TrainerState {
         })
     }
 
-    /// The Gaussians are these from now on; the fields stay.
+    /// Replaces all Gaussians. The fields stay.
     pub fn replace_gaussians(&mut self, device: &Device, population: &Population) -> Result<()> {
         self.scene.replace_gaussians(device, &population.gaussians)?;
         self.optimizer.replace_gaussians(device, &population.moments)?;

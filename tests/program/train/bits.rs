@@ -2,7 +2,7 @@
 
 use organza::data::Background;
 use organza::train::config::LearnExposure;
-use organza::train::{CHECKPOINT, Checkpoint, StepHooks, TrainConfig, Trainer};
+use organza::train::{CHECKPOINT, Checkpoint, TrainConfig, Trainer};
 use organza::{Device, DeviceOptions, Renderer, Result, SpirvPath};
 use organza_tests::devices;
 
@@ -140,10 +140,10 @@ fn a_card_waits_for_no_step_and_gets_no_photograph() {
     let run = trainer.config().run.clone();
     let pixels = u64::from(run.tiles_per_step * run.tile_size.pow(2));
     for _ in 0..3 {
-        trainer.advance(&mut StepHooks::new(), 2).expect("a step");
+        trainer.advance(None, 2).expect("a step");
     }
     let before = renderer.device().traffic();
-    trainer.advance(&mut StepHooks::new(), 2).expect("a step");
+    trainer.advance(None, 2).expect("a step");
     let step = renderer.device().traffic() - before;
     assert_eq!(step.waits, 0, "{step:?}");
     assert!(step.submissions <= 3 && step.dispatches < 120, "{step:?}");
@@ -151,7 +151,7 @@ fn a_card_waits_for_no_step_and_gets_no_photograph() {
     assert!(step.bytes_up < 256 * step.dispatches + 4 * pixels, "{step:?}");
     // the next one changes the number of Gaussians, and reads all of them at once
     let before = renderer.device().traffic();
-    let reports = trainer.advance(&mut StepHooks::new(), 2).expect("a step");
+    let reports = trainer.advance(None, 2).expect("a step");
     assert!(reports.last().is_some_and(|report| report.densified.is_some()), "{reports:?}");
     assert_eq!((renderer.device().traffic() - before).waits, 1);
 }
@@ -181,7 +181,7 @@ fn steps_in_flight_have_the_bits_of_single_steps() {
                 3 => drop(renderer.device().refuse_one(10 + 7 * step as u64)),
                 _ => {}
             }
-            reports.extend(trainer.advance(&mut StepHooks::new(), ahead).expect("a step"));
+            reports.extend(trainer.advance(None, ahead).expect("a step"));
             assert!(reports.len() + ahead > step, "{} reports after step {step}", reports.len());
             if step % 7 == 6 || step + 1 == STEPS {
                 renderer.device().refuse_one(0);
@@ -204,7 +204,7 @@ fn a_step_in_flight_whose_loss_is_not_finite_changes_nothing() {
     let device = renderer.device();
     let mut trainer = trainer(&renderer);
     for _ in 0..4 {
-        trainer.advance(&mut StepHooks::new(), 2).expect("a step");
+        trainer.advance(None, 2).expect("a step");
     }
     trainer.finish_steps().expect("steps");
     // of all Gaussians, so that each step sees it
@@ -219,7 +219,7 @@ fn a_step_in_flight_whose_loss_is_not_finite_changes_nothing() {
     let step = trainer.steps();
     let mut error = None;
     for _ in 0..4 {
-        if let Err(found) = trainer.advance(&mut StepHooks::new(), 2) {
+        if let Err(found) = trainer.advance(None, 2) {
             error.get_or_insert(found);
         }
     }

@@ -126,8 +126,7 @@ fn ranks_of_other_devices_must_be_allowed() {
             let renderer = Renderer::new(organza::open_device(&options).expect("a CPU"));
             let ranks: Arc<dyn Ranks> = Arc::new(ranks);
             // rank 0 is not there to lead, so the error comes from here
-            let hooks = &mut organza::train::StepHooks::new();
-            organza::train::follow(&renderer, &dataset, &ranks, mixed, hooks)
+            organza::train::follow(&renderer, &dataset, &ranks, mixed, None)
                 .unwrap_err()
                 .to_string()
         })

@@ -11,12 +11,11 @@ use crate::metrics::Record;
 use crate::ranks;
 use crate::schedule::Scheduler;
 use crate::start::first_scene;
-use crate::{
-    Change, Checkpoint, Event, Outcome, Progress, Session, StepHooks, StepReport, Trainer, Watch,
-};
+use crate::{Change, Checkpoint, Event, Outcome, Progress, Session, StepReport, Trainer, Watch};
 use organza_core::camera::Camera;
 use organza_core::error::{self, Result};
 use organza_core::scene::Scene;
+use organza_render::OwnLoss;
 
 /// A trainer, the progress of its run, and the settings that have changed.
 type Begun = (Trainer, Progress, Vec<Change>);
@@ -28,24 +27,24 @@ impl Session<'_> {
     /// # Errors
     /// Any error of a step, of the files, of the device or of `watch`. What was saved stays.
     pub fn run(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Outcome> {
-        self.run_with(resume, watch, &mut StepHooks::new())
+        self.run_with(resume, watch, None)
     }
 
-    /// Like [`Session::run`], but every step calls `hooks`: see [`Trainer::step_with`].
+    /// Like [`Session::run`], with a caller's own loss in every step: see [`Trainer::step_with`].
     ///
     /// # Errors
-    /// The errors of [`Session::run`] and of the hooks.
+    /// The errors of [`Session::run`] and of the loss.
     pub fn run_with(
         &self,
         resume: bool,
         watch: &mut Watch<'_>,
-        hooks: &mut StepHooks<'_>,
+        own: Option<&mut OwnLoss<'_>>,
     ) -> Result<Outcome> {
         let mut config = self.config.clone();
         config.choose(self.dataset, self.renderer.device());
         let command = self.command.clone();
         let session = Session { config: &config, command, ranks: self.ranks.clone(), ..*self };
-        let outcome = session.run_alone_or_first(resume, watch, hooks);
+        let outcome = session.run_alone_or_first(resume, watch, own);
         if let (Some(ranks), Err(error)) = (&self.ranks, &outcome) {
             ranks.fail(&error::chain(error));
         }
@@ -56,10 +55,10 @@ impl Session<'_> {
         &self,
         resume: bool,
         watch: &mut Watch<'_>,
-        hooks: &mut StepHooks<'_>,
+        own: Option<&mut OwnLoss<'_>>,
     ) -> Result<Outcome> {
         let begin = Instant::now();
-        let (trainer, progress, changes) = self.begin(resume, watch, hooks)?;
+        let (trainer, progress, changes) = self.begin(resume, watch, own.is_some())?;
         // a run that cannot begin writes nothing
         watch(Event::Begin(progress.step))?;
         let now = |change: &&Change| change.step == u64::from(progress.step);
@@ -86,13 +85,13 @@ impl Session<'_> {
             since: (0, progress.seconds),
             first_steps: FirstSteps::default(),
             watch,
-            hooks,
+            own,
         }
         .run()
     }
 
     /// The trainer, the progress of its run, and the settings that have changed.
-    fn begin(&self, resume: bool, watch: &mut Watch<'_>, hooks: &StepHooks<'_>) -> Result<Begun> {
+    fn begin(&self, resume: bool, watch: &mut Watch<'_>, has_own_loss: bool) -> Result<Begun> {
         let path = self.folder.path().join(CHECKPOINT);
         let resumes = resume && path.exists();
         let checkpoint = if resumes {
@@ -111,7 +110,7 @@ impl Session<'_> {
         let dataset = Arc::clone(self.dataset);
         if let Some(ranks) = &self.ranks {
             let run = (self.config, &**self.dataset);
-            ranks::lead(&**ranks, self.renderer, run, &checkpoint, hooks, self.mixed)?;
+            ranks::lead(&**ranks, self.renderer, run, &checkpoint, has_own_loss, self.mixed)?;
         }
         let mut trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
         if let Some(ranks) = &self.ranks {

@@ -11,9 +11,10 @@ use crate::ranks::{Order, tell};
 use crate::schedule::{Now, Scheduler};
 use crate::{
     BEST, Binding, CAMERAS, CHECKPOINT, CONFIG, Change, Evaluation, Event, METRICS, Outcome,
-    Session, StepHooks, StepReport, Trainer, Watch,
+    Session, StepReport, Trainer, Watch,
 };
 use organza_core::{Camera, Result};
+use organza_render::OwnLoss;
 
 /// A run has a first checkpoint after this time, if not before.
 const FIRST_CHECKPOINT: Duration = Duration::from_secs(30);
@@ -41,7 +42,7 @@ pub(super) struct SessionState<'a, 'w, 'h> {
     pub since: (usize, f64),
     pub first_steps: FirstSteps,
     pub watch: &'w mut Watch<'w>,
-    pub hooks: &'w mut StepHooks<'h>,
+    pub own: Option<&'w mut OwnLoss<'h>>,
 }
 
 impl SessionState<'_, '_, '_> {
@@ -167,14 +168,14 @@ impl SessionState<'_, '_, '_> {
 
     fn step(&mut self) -> Result<()> {
         let begin = Instant::now();
-        let mut reports = self.trainer.advance(self.hooks, self.session.ahead)?;
+        let mut reports = self.trainer.advance(self.own.as_deref_mut(), self.session.ahead)?;
         if self.trainer.steps() == SEEN_AFTER {
             reports.extend(self.trainer.finish_steps()?);
         }
         self.report(begin, reports)
     }
 
-    /// Waits for the steps that a GPU is ahead. Whatever looks at the scene comes after this.
+    /// Waits for the queued steps, before the scene is read.
     fn finish_steps(&mut self) -> Result<()> {
         let begin = Instant::now();
         let reports = self.trainer.finish_steps()?;

@@ -1,5 +1,6 @@
 //! A run from its first step, or from a checkpoint, to its end: its settings, log, checkpoints and scores in its folder.
 
+mod first_steps;
 mod run;
 mod state;
 
@@ -74,7 +75,7 @@ pub struct Session<'a> {
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Event<'a> {
-    /// A warning that the user should see.
+    /// A warning for the user.
     Warning(&'a str),
     /// There are no points to start from: training starts from places that the photographs suggest.
     Suggested {
@@ -147,7 +148,7 @@ pub enum Outcome {
 /// A listener to a session. Its error ends the run.
 pub type Watch<'w> = dyn FnMut(Event<'_>) -> Result<()> + 'w;
 
-/// Enough for a GPU that never waits for the host; memory does not depend on it.
+/// Steps that are queued on a GPU before the host reads a loss: enough that the GPU never waits. Memory does not depend on it.
 const STEPS_AHEAD: usize = 2;
 
 /// A stop flag that is never set.

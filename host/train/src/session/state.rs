@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use super::run::{FirstSteps, SEEN_AFTER};
+use super::first_steps::{FirstSteps, SEEN_AFTER};
 use crate::held_out;
 use crate::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use crate::ranks::{Order, tell};
@@ -218,7 +218,9 @@ impl SessionState<'_, '_, '_> {
                 rates,
             })?;
         }
-        self.judge(report)?;
+        if let Some(warning) = self.first_steps.judge(report, &self.trainer)? {
+            (self.watch)(Event::Warning(&warning))?;
+        }
         let seconds = self.seconds;
         let scene = self.trainer.scene();
         (self.watch)(Event::Step { step, seconds, report, gaussians, scene })

@@ -23,6 +23,7 @@ const STATISTICS: &str = "train.statistics";
 const EXPOSURE: &str = "exposure";
 /// The same for poses.
 const POSE: &str = "pose";
+
 /// The complete state of training: a run that continues from it has the same bits.
 ///
 /// This continues a run's training from code:
@@ -51,7 +52,7 @@ pub struct Checkpoint {
     pub moments: [Scene; 2],
     /// `[N]`: see [`SceneGradient::statistics`](organza_render::SceneGradient).
     pub statistics: Vec<[f32; 4]>,
-    /// The exposures of the photographs, if the run learns them. `None` is the state before the first step.
+    /// The exposures of the photographs, if the run learns them; `None` before the first step.
     pub exposures: Option<PerPhotograph>,
     /// The motions of the photographs' cameras, if the run refines poses: rotation vectors and shifts, as for
     /// [`Camera::moved`](organza_core::Camera::moved).

@@ -53,17 +53,17 @@ pub fn pixels(dataset: &Dataset) -> f64 {
 /// How often a run draws as many pixels as its photographs have, where its settings leave the number of steps open.
 // docs/experiments.md has the measurements.
 const VISITS: f64 = 20.0;
-/// The fewest steps of such a run,
-const FEWEST_STEPS: f64 = 8000.0;
-/// and the most, on a CPU and on a GPU.
-const MOST_STEPS: [f64; 2] = [10_000.0, 100_000.0];
-/// Pixels of photographs, drawn as often, for each of a GPU's Gaussians, where settings leave their number open. 3D Gaussian
-/// Splatting has about as many.
+/// Smallest number of steps of such a run.
+const MIN_STEPS: f64 = 8000.0;
+/// Largest number of steps of such a run, on a CPU and on a GPU.
+const MAX_STEPS: [f64; 2] = [10_000.0, 100_000.0];
+/// Pixels of photographs for each Gaussian on a GPU, where settings leave the number of Gaussians open and steps draw each pixel [`VISITS`]
+/// times. 3D Gaussian Splatting has about as many.
 const PIXELS_PER_GAUSSIAN: f64 = 500.0;
-/// Such a run's fewest Gaussians, which are a CPU's,
-const FEWEST_GAUSSIANS: f64 = 30_000.0;
-/// and most.
-const MOST_GAUSSIANS: f64 = 300_000.0;
+/// Smallest number of Gaussians of such a run, and the number on a CPU.
+const MIN_GAUSSIANS: f64 = 30_000.0;
+/// Largest number of Gaussians of such a run.
+const MAX_GAUSSIANS: f64 = 300_000.0;
 
 impl RunConfig {
     /// Number of pixels that a step draws.
@@ -72,17 +72,17 @@ impl RunConfig {
         [self.tiles_per_step, self.tile_size, self.tile_size].map(f64::from).iter().product()
     }
 
-    /// The number of steps to train on photographs of so many pixels in all, on a device [like a CPU](Device::is_cpu_like)
+    /// The number of steps to train on photographs with `pixels` pixels in all, on a device [like a CPU](Device::is_cpu_like)
     /// or on a GPU: the settings' own, or 20 times the photographs' pixels, within limits.
     #[must_use]
     pub fn steps_for(&self, pixels: f64, is_cpu_like: bool) -> u32 {
         if self.steps > 0 {
             return self.steps;
         }
-        let most = MOST_STEPS[usize::from(!is_cpu_like)];
+        let max = MAX_STEPS[usize::from(!is_cpu_like)];
         let steps = VISITS * pixels / self.pixels_per_step();
         // a round number
-        (100.0 * (steps / 100.0).ceil()).clamp(FEWEST_STEPS, most) as u32
+        (100.0 * (steps / 100.0).ceil()).clamp(MIN_STEPS, max) as u32
     }
 
     /// The part of the run that is done before `step`, 0 to 1. Learning rates and densification follow it.
@@ -116,8 +116,8 @@ impl RunConfig {
 }
 
 impl TrainConfig {
-    /// The largest number of Gaussians for photographs of so many pixels in all, on a device [like a CPU](Device::is_cpu_like) or
-    /// on a GPU: the settings' own, or one for 500 pixels that the run's steps draw 20 times, within limits.
+    /// The largest number of Gaussians for photographs with `pixels` pixels in all, on a device [like a CPU](Device::is_cpu_like) or
+    /// on a GPU: the settings' own, or one Gaussian for 500 pixels that the run's steps draw 20 times, within limits.
     #[must_use]
     pub fn gaussians_for(&self, pixels: f64, is_cpu_like: bool) -> u32 {
         if self.densification.max_gaussians > 0 {
@@ -126,10 +126,10 @@ impl TrainConfig {
         let steps = f64::from(self.run.steps_for(pixels, is_cpu_like));
         let filled = pixels.min(steps * self.run.pixels_per_step() / VISITS);
         let gaussians = filled / PIXELS_PER_GAUSSIAN;
-        let most = if is_cpu_like { FEWEST_GAUSSIANS } else { MOST_GAUSSIANS };
+        let max = if is_cpu_like { MIN_GAUSSIANS } else { MAX_GAUSSIANS };
         // a round number
         let gaussians = 1000.0 * (gaussians / 1000.0).ceil();
-        (gaussians.clamp(FEWEST_GAUSSIANS, most) as u32).max(self.start.gaussians)
+        (gaussians.clamp(MIN_GAUSSIANS, max) as u32).max(self.start.gaussians)
     }
 
     /// Number of the first Gaussians if the data set has no points.

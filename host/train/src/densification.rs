@@ -5,11 +5,11 @@ use glam::{Quat, Vec3};
 use super::config::DensificationConfig;
 use organza_core::scene::{Gaussians, logit};
 
-/// Distance of a split Gaussian's halves from it, in standard deviations, along its longest axis;
+/// Distance of the halves of a split Gaussian from its center, in standard deviations along its longest axis.
 const SPLIT_OFFSET: f32 = 0.6;
-/// are so much shorter there;
+/// Length of a half along this axis, relative to the Gaussian's.
 const SPLIT_SCALE: f32 = 0.65;
-/// and so much less opaque: together they have its weight at its center, and 0.98 of its sum.
+/// Opacity of a half, relative to the Gaussian's. Together, the halves have its weight at its center, and 0.98 of its sum.
 const SPLIT_OPACITY: f32 = 0.75;
 
 /// The Gaussians of a training, and what belongs to each.
@@ -22,7 +22,7 @@ pub struct Population {
     pub statistics: Vec<[f32; 4]>,
 }
 
-/// The fates of the Gaussians.
+/// How many Gaussians were split and pruned.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DensificationStats {
     /// Split in two.
@@ -35,11 +35,11 @@ pub struct DensificationStats {
 #[derive(Clone, Copy, Debug)]
 struct Child {
     parent: usize,
-    /// On which side of its parent a half lies, 1 or -1; none is the parent itself.
+    /// On which side of its parent a half lies, 1 or -1. `None` is the parent itself.
     side: Option<f32>,
 }
 
-/// The fate of each Gaussian. It follows from few numbers of each.
+/// What happens to each Gaussian.
 #[derive(Debug)]
 struct Densification {
     /// `[N]`: how many each becomes, 0 to 2.
@@ -47,14 +47,14 @@ struct Densification {
     densified: DensificationStats,
 }
 
-/// How much a Gaussian is in need of a split: how strong a gradient its center felt, on average over the views that saw it.
+/// How much a Gaussian needs a split: the mean |dL/dmean2d| over the cameras that have shown it.
 fn strength([sum, views, ..]: [f32; 4]) -> f32 {
     if views > 0.0 { sum / views } else { 0.0 }
 }
 
 impl Densification {
-    /// Of the opacities' logits `[N]` and the [strengths](strength) `[N]`: those whose center feels the strongest gradient
-    /// become two.
+    /// Decides by the opacities' logits `[N]` and the [strengths](strength) `[N]`: transparent Gaussians go, and the ones with the largest
+    /// strengths become two.
     fn new(config: &DensificationConfig, opacity: &[f32], strength: &[f32]) -> Self {
         let is_kept = |&i: &usize| sigmoid(opacity[i]) >= config.min_opacity;
         let mut kept: Vec<_> = (0..opacity.len()).filter(is_kept).collect();
@@ -108,7 +108,7 @@ fn sigmoid(x: f32) -> f32 {
     1.0 / (1.0 + (-x).exp())
 }
 
-/// How many may be added to `kept`.
+/// How many Gaussians may be added to `kept` others.
 fn room(config: &DensificationConfig, kept: usize) -> usize {
     let wanted = (kept as f64 * config.rate).ceil() as usize;
     wanted.min((config.max_gaussians as usize).saturating_sub(kept))
@@ -123,7 +123,7 @@ fn halve(gaussians: &mut Gaussians, i: usize, side: f32) {
     let [w, x, y, z] = gaussians.rotation[i];
     let offset = Quat::from_xyzw(x, y, z, w).normalize() * offset;
     let position = Vec3::from(gaussians.position[i]) + offset;
-    // a scale that overflows, or a rotation of no length, leads nowhere
+    // a scale that overflows, or a rotation without a length, gives no position
     if position.is_finite() {
         gaussians.position[i] = position.to_array();
     }

@@ -5,10 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::held_out;
 use super::metrics::{MetricsLog, Record};
-use crate::{Binding, Change, Event, Session, TrainConfig, Watch};
+use crate::{Binding, Change, Event, FolderLock, Session, TrainConfig, Watch};
 use organza_core::{Error, Result, remove_leftovers};
-
-use crate::FolderLock;
 
 /// `checkpoint.safetensors`: the checkpoint.
 pub const CHECKPOINT: &str = "checkpoint.safetensors";

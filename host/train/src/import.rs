@@ -12,7 +12,7 @@ use organza_data::{Dataset, Frame, Photograph};
 use organza_render::Renderer;
 use organza_splats::{SplatFile, Views, render};
 
-/// A scene in a smaller part of the pixels is seen from too far away, or not at all.
+/// Smallest share of the pixels that a scene must cover. With less, the cameras are too far away, or look elsewhere.
 const COVERED: f64 = 0.05;
 
 /// Settings for turning Gaussians into a scene.
@@ -31,7 +31,7 @@ impl Import {
     pub const STEPS: RangeInclusive<i64> = 1..=10_000_000;
 }
 
-/// 1500 steps, on images of 480 pixels, with a black background.
+/// 1500 steps, on images whose longer side has 480 pixels, with a black background.
 impl Default for Import {
     fn default() -> Self {
         Self { steps: 1500, side: 480, background: [0.0; 3] }

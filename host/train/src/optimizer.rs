@@ -10,22 +10,23 @@ use organza_render::{
     DeviceScene, SceneGradient, TensorGradient, pack, replace_gaussians, unpack, upload,
 };
 
-/// Both moments of every parameter, and the flag of tensors that are never sparse.
+/// Both moments of every parameter.
 #[derive(Debug)]
 pub struct Optimizer {
     /// m and v.
     moments: [Tensors<Buffer<f32>>; 2],
+    /// `[1]`: the flag of tensors that are never sparse.
     always: Buffer<u32>,
 }
 
 impl Optimizer {
-    /// From moments, of an earlier run or zeros.
+    /// Uploads moments, of an earlier run or zeros.
     pub fn new(device: &Device, [first, second]: &[Scene; 2]) -> Result<Self> {
         let moments = [upload(device, pack(first))?, upload(device, pack(second))?];
         Ok(Self { moments, always: device.upload("touched", &[1])? })
     }
 
-    /// The moments of the Gaussians are these from now on.
+    /// Replaces the moments of the Gaussians.
     pub fn replace_gaussians(&mut self, device: &Device, moments: &[Gaussians; 2]) -> Result<()> {
         for (own, moment) in self.moments.iter_mut().zip(moments) {
             replace_gaussians(device, own, moment)?;
@@ -49,7 +50,7 @@ impl Optimizer {
         Ok([read(first)?, read(second)?])
     }
 
-    /// Moves every parameter that has a gradient, and clears the gradient.  `step` counts from 0; `fraction` is the part of the run that is
+    /// Moves every parameter that has a gradient, and clears the gradient. `step` counts from 0; `fraction` is the part of the run that is
     /// done.
     pub fn step(
         &self,
@@ -57,10 +58,10 @@ impl Optimizer {
         scene: &DeviceScene,
         gradient: &SceneGradient,
         config: &OptimizerConfig,
-        now: (u32, f64),
+        (step, fraction): (u32, f64),
     ) -> Result<()> {
         let adam = self.adam(device, config, gradient);
-        let updates = updates(config, gradient.has_transmittance, now, scene.extent());
+        let updates = updates(config, gradient.has_transmittance, (step, fraction), scene.extent());
         let [first, second] = self.moments.each_ref().map(Tensors::as_ref);
         let tensors = scene.tensors().as_ref().zip(gradient.tensors().as_ref());
         let all = tensors.zip(updates).zip(first.zip(second));
@@ -68,7 +69,7 @@ impl Optimizer {
         Ok(())
     }
 
-    /// A step, of further tensors than the scene's.
+    /// One step of Adam, for other tensors than the scene's, too.
     pub fn adam<'a>(
         &'a self,
         device: &'a Device,
@@ -87,7 +88,7 @@ pub struct Adam<'a> {
     always: &'a Buffer<u32>,
 }
 
-/// What the update of one tensor has of its own.
+/// The numbers that differ between the updates of tensors.
 #[derive(Clone, Copy)]
 pub struct Update {
     /// Learning rate, corrected for the first moment's start at zero.

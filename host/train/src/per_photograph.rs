@@ -43,8 +43,8 @@ impl PerPhotograph {
         Self { values: zeros(), moments: [zeros(), zeros()], steps: vec![0; photographs] }
     }
 
-    /// Takes one step of Adam for the photographs that have a gradient. There is a rate for each value. Errors call
-    /// the values `what`.
+    /// Takes one step of Adam for the photographs that have a gradient. There is a rate for each value. `what` names the
+    /// values in errors.
     ///
     /// # Errors
     /// [`Error::Diverged`] if a gradient is not finite. Nothing has changed then.
@@ -149,6 +149,8 @@ pub(super) struct Exposures {
 }
 
 impl Exposures {
+    /// Uploads exposures.
+    ///
     /// # Errors
     /// [`Error::Argument`] if there are too many photographs; the same errors as [`Device::upload`].
     pub fn new(device: &Device, learned: &PerPhotograph) -> Result<Self> {

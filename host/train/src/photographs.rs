@@ -9,8 +9,8 @@ use organza_data::{Frame, Photograph};
 use organza_render::Photographs;
 use organza_shaders::target::{TargetParams, TargetTile, TargetTilesKernel};
 
-/// The most bytes of photographs that stay on a GPU, at least, and the share of its memory. Tiles of other photographs are uploaded in
-/// each step.
+/// Bytes of photographs that stay on a GPU: this many, or this share of its memory if that is more. Tiles of other photographs are uploaded
+/// in each step.
 const RESIDENT_BYTES: u64 = 1 << 30;
 const RESIDENT_SHARES: u64 = 4;
 /// Bytes of a page.
@@ -23,7 +23,7 @@ pub struct ResidentPhotographs {
     level: Buffer<f32>,
     /// Photographs, one after the other: words as [`organza_shaders::target`] reads them.
     pages: Vec<Buffer<u32>>,
-    /// For each photograph on a page, the page and the photograph's first word.
+    /// The page and the first word of each photograph that is on the GPU.
     places: Vec<(usize, u32)>,
 }
 

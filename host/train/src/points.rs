@@ -13,18 +13,18 @@ const SHUFFLE: u64 = 6;
 
 /// Points that are nearer than this part of their mean distance count as one place.
 const SAME: f64 = 0.01;
-/// Fewer places do not show a scene.
+/// Smallest number of places that show a scene.
 const MIN_PLACES: usize = 8;
-/// Part of the points that photographs must show, if colors prove nothing.
+/// Share of the points that photographs must show, if colors prove nothing.
 const MIN_SEEN: f64 = 0.1;
-/// Least number of points with compared colors.
+/// Smallest number of points with compared colors.
 const MIN_COLORS: usize = 30;
 /// How much worse other points' colors fit the photographs, relative to the difference between what photographs show at points.
 /// It is 0.7 to 1 for the points of COLMAP, below 0.25 in the wrong place, and more if the points lie too close together.
 const EXPLAINED: RangeInclusive<f64> = 0.65..=2.0;
-/// Least difference of colors from each other, in levels of 255.
+/// Smallest difference of colors from each other, in levels of 255.
 const MIN_SPREAD: f64 = 4.0;
-/// Most points and photographs that are compared.
+/// Largest number of points, and of photographs, that are compared.
 const MAX_POINTS: usize = 4000;
 const MAX_FRAMES: usize = 64;
 
@@ -97,8 +97,8 @@ fn shown(point: &Point, frame: &Frame) -> Option<[f32; 3]> {
     frame.image.is_valid(x, y).then(|| frame.image.color(x, y).map(|value| 255.0 * value))
 }
 
-/// The mean squared difference of a color from the photographs'. It is that of the best quarter: in the others, something may be
-/// in front.
+/// The squared difference of a color from the photographs', the mean over channels: the first quartile over photographs, because in some,
+/// another thing may be in front.
 fn difference(color: [f32; 3], shown: &[[f32; 3]]) -> f64 {
     let mean = |shown: &[f32; 3]| {
         let pairs = color.iter().zip(shown);

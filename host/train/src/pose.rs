@@ -34,7 +34,7 @@ impl PoseSet {
         cameras.map(|(camera, values)| camera.moved(values.map(f64::from))).collect()
     }
 
-    /// Takes one step of Adam for the photographs of a batch. `gradients [photographs, 6]` are by a further small
+    /// Takes one step of Adam for the photographs of a batch. `gradients [photographs, 6]` are with respect to a further small
     /// motion of each camera. Rotations move by `rate`, in radians, and shifts by `rate * extent`.
     pub fn step(
         &mut self,
@@ -47,7 +47,7 @@ impl PoseSet {
         let of = |photograph: usize| {
             let [w, v] = parts(self.learned.values[photograph]);
             let [turn, shift] = parts(gradients[photograph]);
-            // t' = exp([w]x) t + v: w turns only t' - v, but the gradient is by a turn of all of t'
+            // t' = exp([w]x) t + v: w turns only t' - v, but the gradient is with respect to a turn of all of t'
             let turn = to_rotation_vector(w, turn - v.cross(shift));
             (photograph, joined(turn, shift))
         };

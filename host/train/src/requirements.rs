@@ -12,7 +12,7 @@ const PLACE_BYTES: u64 = 80;
 const PIXEL_BYTES: u64 = 4 * 4;
 /// Bytes per pixel of the part of a step that is rendered at once: its color, the loss and the gradients.
 const PART_PIXEL_BYTES: u64 = 256;
-/// The most bytes that a run must have for such pixels. With less memory, parts are smaller, down to one tile.
+/// Largest number of bytes that a run needs for such pixels: larger steps are rendered in parts.
 const MAX_PIXEL_BYTES: u64 = 2 << 30;
 
 impl TrainConfig {

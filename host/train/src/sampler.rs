@@ -84,7 +84,7 @@ impl Sampler {
     }
 
     /// The group at a position in the sequence of all epochs. An epoch's number of groups depends on the shifts of its grids.
-    /// So an epoch's first position follows from all earlier epochs.
+    /// So an epoch's first position depends on all earlier epochs.
     fn group(&mut self, at: u64, frames: &[&Frame]) -> Vec<Tile> {
         let mut epoch = match self.epoch.take() {
             Some(epoch) if epoch.first <= at => epoch,
@@ -110,9 +110,9 @@ impl Sampler {
         Epoch { number, first, groups }
     }
 
-    /// The cells of an image's grid that have a valid pixel, shifted at random. So many neighbors as a group has are a compact
-    /// block: bands of rows go to the right and to the left in turns, and a band is as high as the square of a group's cells. Single
-    /// cells come row by row.
+    /// The cells of an image's grid that have a valid pixel. The grid is shifted at random. The cells are ordered so that a group of neighbors
+    /// in the list is a compact block of the image: bands of rows go to the right and to the left in turns, and a band is as high as a square
+    /// of a group's cells. Single cells come row by row.
     fn grid(&self, camera: usize, image: &Photograph, random: &mut impl Rng) -> Vec<Tile> {
         let side = self.side as i32;
         let [(columns, x), (rows, y)] = sides(image, self.factor).map(|length| {
@@ -159,7 +159,7 @@ fn within(photograph: &Photograph, factor: u32, ranges: [[i32; 2]; 2]) -> [Range
     })
 }
 
-/// Whether a pixel of an image, `factor` times smaller than a photograph, is valid: all pixels of its square must be.
+/// Whether a pixel of an image that is `factor` times smaller than a photograph is valid: all pixels of the photograph that it is the mean of must be.
 fn is_valid(photograph: &Photograph, factor: u32, x: u32, y: u32) -> bool {
     let square = |at: u32| at * factor..(at + 1) * factor;
     square(y).all(|row| square(x).all(|column| photograph.is_valid(column, row)))

@@ -3,15 +3,15 @@
 use super::config::TrainConfig;
 use super::held_out;
 
-/// Part of a step's time that grows with the number of Gaussians. Pixels, rays and fields take the rest.
+/// The share of a step's time that grows with the number of Gaussians. Pixels, rays and fields take the rest.
 const PER_GAUSSIAN: f64 = 0.3;
-/// A new schedule is made after steps 1, 2, 4 and so on, up to this one,
+/// At first, a new schedule is made after steps 1, 2, 4 and so on, up to this one.
 const FIRST_STEPS: u32 = 64;
-/// then after each of this many equal parts of the time,
+/// Then the time of the run is cut into this many equal parts, and a new schedule is made after each.
 const UPDATES: f64 = 20.0;
-/// until this part of the time is over. So a run that is nearly done ends as chosen.
+/// After this part of the time, the schedule stays: a run that is nearly done ends as chosen.
 const LAST: f64 = 0.97;
-/// Least number of steps in a schedule before anything is measured. Only the first step depends on it.
+/// Smallest number of steps in a schedule before anything is measured. Only the first step depends on it.
 const UNKNOWN: u32 = 1000;
 /// An upper limit for the number of steps of any run.
 const MAX_STEPS: u32 = 100_000_000;

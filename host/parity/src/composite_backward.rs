@@ -46,11 +46,12 @@ impl CompositeBackward {
 
     /// The sums over a band of rows.
     fn band(mut self, first_row: u32, rows: u32) -> Self {
-        (self.params.first_row, self.params.rows) = (first_row, rows);
+        self.params.first_row = first_row;
+        self.params.rows = rows;
         self
     }
 
-    /// The same with blurred covariances, and weights that compensate for the blur.
+    /// The same set with blurred covariances, and weights that compensate for the blur.
     fn compensated(mut self) -> Self {
         self.params.compensated_blur = 0.3;
         let mut random = Random::new(17);

@@ -10,7 +10,7 @@ use organza_shaders::limits::MAX_LAYERS;
 
 use super::exact::hash_grid_scale::{color_bound, largest, transmittance_bound, unit};
 
-/// The first `count` bounds as numbers; NaN counts as infinite.
+/// The bounds as numbers; NaN counts as infinite.
 fn numbers(found: &[Output]) -> Vec<Output> {
     let number = |bits| {
         let number = f32::from_bits(bits);
@@ -152,7 +152,7 @@ impl Parity for HashGridScale {
         outputs
     }
 
-    /// The bits of the unit, its inverse and the limit.  If a bound is not finite, the limit is 0 and the unit is not used.
+    /// The bits of the unit, its inverse and the limit. If a bound is not finite, the limit is 0 and the unit is not used.
     fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
         let bound: Vec<_> = self.bound.iter().copied().map(f32::from_bits).collect();
         let is_finite = bound.iter().all(|bound| bound.is_finite());

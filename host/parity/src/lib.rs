@@ -1,7 +1,10 @@
 //! The test case of every kernel: one file per stage, with the names of `shader-crate`.
 //!
-//! A case implements [`Parity`](muslin_check::Parity): it has random inputs, inputs that break careless code, and the equation, which
-//! also gives the tolerance. A kernel without a case fails a test.
+//! A case implements [`Parity`](muslin_check::Parity): it has random inputs, inputs that break careless code, and the equation. The
+//! equation is computed in [`Rounded`](muslin_check::number::Rounded): f64 numbers that carry the error that f32 arithmetic may have. So
+//! it also gives the tolerance. A kernel without a case fails a test.
+//!
+//! `adam.rs` is a short case to begin with, and `docs/adding-a-kernel.md` writes one.
 
 mod adam;
 mod binned;

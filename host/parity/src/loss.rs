@@ -35,7 +35,7 @@ pub struct Terms {
 }
 
 impl Terms {
-    /// Of differences in -1 to 1.
+    /// Terms with differences of -1 to 1.
     pub fn new(side: u32, fill: Fill, huge: f32, random: &mut Random) -> Self {
         let valid = mask(side, random);
         let mut masked = |w: f32| {

@@ -56,8 +56,8 @@ impl PoseBackward {
         Self { inputs, set, pairs, before }
     }
 
-    /// The same with gradients of conics alone, so that all pairs have terms of one size, or none. Otherwise the terms of means and
-    /// of needles would hide the others.
+    /// The same set with gradients of conics alone, scaled so that all pairs have terms of one size, or none. Otherwise the terms of means
+    /// and of needles would hide the others.
     fn conics(&self) -> Self {
         let mut set = self.set.clone();
         for &pair in &self.pairs {
@@ -71,7 +71,7 @@ impl PoseBackward {
         Self::new(set)
     }
 
-    /// A camera's place: backwards, with one between two.
+    /// A camera's row among the poses: in reverse order, with an unused row after each, so that a kernel which mixes rows up fails.
     fn place(&self, camera: usize) -> usize {
         2 * (self.set.forward.cameras.len() - 1 - camera)
     }

@@ -211,17 +211,18 @@ impl Parity for Project {
         let slots = (0..self.cameras.len() * gaussians)
             .map(|slot| self.fate(slot / gaussians, slot % gaussians));
         if output == "degenerate" {
-            let told: Option<Vec<_>> = slots.collect();
+            let known: Option<Vec<_>> = slots.collect();
             let count = |fates: Vec<_>| {
                 fates.iter().filter(|fate| matches!(fate, Err(DEGENERATE))).count() as u32
             };
-            return listed([told.map_or(Rounded::UNKNOWN, |fates| count(fates).into())]);
+            return listed([known.map_or(Rounded::UNKNOWN, |fates| count(fates).into())]);
         }
         let of = |fate: Option<Fate>| match (output, fate) {
             ("class", Some(fate)) => vec![(-fate.err().unwrap_or_default()).into()],
             ("class", None) => vec![Rounded::UNKNOWN],
             (_, Some(Ok(found))) => {
-                let ([x, y], [xx, xy, yy]) = (found.mean, found.conic());
+                let [x, y] = found.mean;
+                let [xx, xy, yy] = found.conic();
                 let [width, height] = found.extent();
                 vec![x, y, found.radius(), width, xx, xy, yy, height]
             }

@@ -127,9 +127,9 @@ impl ProjectBackward {
     fn derivatives(&self, gaussian: usize) -> [Rounded; 11] {
         let pairs: Vec<_> = self.pairs(gaussian).collect();
         let opacity = Number::sum(pairs.iter().map(|(_, pair)| Rounded::from(pair[0].z)));
-        let is_told =
+        let is_known =
             |&(camera, _): &(usize, _)| matches!(self.forward.fate(camera, gaussian), Some(Ok(_)));
-        if !pairs.iter().all(is_told) {
+        if !pairs.iter().all(is_known) {
             let mut unknown = [Rounded::UNKNOWN; 11];
             unknown[10] = opacity;
             return unknown;

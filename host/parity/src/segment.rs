@@ -91,7 +91,7 @@ impl Segment {
         count.error > 0.0
     }
 
-    /// The values of an output. `place` gives a coordinate of a ray that is not contracted, of the ray's size.
+    /// The values of an output. `place` gives the tolerance of a coordinate, for a ray that is not contracted and has this size.
     fn known(&self, output: &str, place: impl Fn(Rounded, f64) -> Rounded) -> Vec<Option<Rounded>> {
         let of = |&slot: &u32| {
             let [p, eye] = self.ends(slot);
@@ -107,7 +107,7 @@ impl Segment {
                 let [from, to] = [p, eye].map(|end| DVec3::from(end.map(|x| x.value)));
                 let size = 1.0 + from.length() + from.distance(to);
                 let [[a, b, c], [d, e, f]] =
-                    [found.start, found.way].map(|of| of.map(|x| place(x, size)));
+                    [found.start, found.w].map(|of| of.map(|x| place(x, size)));
                 (found.count, vec![a, b, c, found.factor, d, e, f, 0.into()])
             };
             if output == "count" { vec![Rounded::exact(count.value)] } else { values }

@@ -66,7 +66,8 @@ impl TransmittanceInputs {
                 // more digits than an f32 has
                 for (vector, x) in [start[axis], inside].into_iter().enumerate() {
                     let x = Split::new(x, x * random.between(-6e-8, 0.0));
-                    (coarse[vector][axis], fine[vector][axis]) = (x.coarse, x.fine);
+                    coarse[vector][axis] = x.coarse;
+                    fine[vector][axis] = x.fine;
                 }
             }
             coarse.into_iter().chain(fine)

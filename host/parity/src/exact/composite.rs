@@ -37,7 +37,7 @@ pub fn compensation<N: Number>([xx, xy, yy]: [N; 3], blur: f64) -> N {
     quotient.above((min * min).value(), quotient.sqrt(), min)
 }
 
-/// `exp(-q/2)` up to the cutoff, and 0 behind it.  Rounding may have taken q of a needle below 0.
+/// `exp(-q/2)` up to the cutoff, and 0 behind it. Rounding may have taken q of a needle below 0.
 pub fn falloff<N: Number>(q: N) -> N {
     let inside = if q.value() < 0.0 { q - N::from(q.value()) } else { q };
     let inside = (N::from(-0.5) * inside).exp().between(0.0, 1.0);

@@ -58,7 +58,7 @@ impl Level {
     }
 }
 
-/// The features of a point, level by level.  The table is `[entries, features]`.
+/// The features of a point, level by level. The table is `[entries, features]`.
 pub fn encode(grid: &GridConfig, table: &[f32], point: [f64; 3]) -> Vec<f64> {
     let features = grid.features as usize;
     let mut encoded = Vec::new();

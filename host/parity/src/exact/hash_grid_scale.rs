@@ -25,7 +25,7 @@ pub fn largest(values: impl IntoIterator<Item = Rounded>) -> Rounded {
 /// The exponent of the unit, a power of two, and the limit: the largest gradient that can be added.
 ///
 /// 2^e is the next power of two above the product of the bounds, plus 1% for rounding, with e from -125 to 128.  2^b is the
-/// next power of two of the samples.  The unit is `2^(62 - e - b)`, at most 2^126, and the limit is the f32 before 2^e.
+/// next power of two of the samples. The unit is `2^(62 - e - b)`, at most 2^126, and the limit is the f32 before 2^e.
 pub fn unit(bounds: &[f32], samples: u32) -> (i32, f32) {
     // a denormal counts as up to 2^-126: the bits of its mantissa after a leading 1, at 2^-127
     let logarithm = |&bound: &f32| {

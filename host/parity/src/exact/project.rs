@@ -45,10 +45,10 @@ impl<N: Number> View<N> {
     }
 }
 
-/// The projected Gaussian.
+/// A Gaussian in the world.
 #[derive(Clone, Copy, Debug)]
 pub struct Gaussian<N> {
-    /// In the world.
+    /// Its center.
     pub position: [N; 3],
     /// A quaternion of any length but zero: w, x, y, z.
     pub rotation: [N; 4],
@@ -57,7 +57,7 @@ pub struct Gaussian<N> {
 }
 
 impl<N: Number> Gaussian<N> {
-    /// Of the tensors `position [N, 3]`, `rotation [N, 4]` and `log_scale [N, 3]`.
+    /// Reads a Gaussian from the tensors `position [N, 3]`, `rotation [N, 4]` and `log_scale [N, 3]`.
     pub fn read(position: &[f32], rotation: &[f32], log_scale: &[f32], index: usize) -> Self {
         Self {
             position: row(position, index),
@@ -97,7 +97,7 @@ pub fn cutoff() -> f64 {
 /// The depth of the near plane, as an f32 has it.
 pub const NEAR: f64 = 0.01_f32 as f64;
 
-/// A Gaussian that is not behind the near plane.
+/// Projects a Gaussian; `None` if it is behind the near plane.
 pub fn project<N: Number>(
     view: &View<N>,
     blur: f64,
@@ -110,7 +110,7 @@ pub fn project<N: Number>(
     let ratios = [x / z, y / z];
     let axes = scaled_axes(gaussian);
     let jacobian: [[N; 3]; 2] = std::array::from_fn(|i| {
-        // one that is clamped is constant
+        // a clamped ratio is constant
         let [low, high] = view.limits(i);
         let ratio =
             ratios[i].above(high, N::from(high), ratios[i].above(low, ratios[i], N::from(low)));
@@ -135,7 +135,7 @@ pub fn project<N: Number>(
     })
 }
 
-/// The axes in the world, as long as the scales.
+/// The axes in the world, with the lengths of the scales.
 fn scaled_axes<N: Number>(gaussian: &Gaussian<N>) -> [[N; 3]; 3] {
     let axes = unit_axes(gaussian.rotation);
     std::array::from_fn(|k| {

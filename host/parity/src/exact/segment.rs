@@ -6,10 +6,10 @@ use super::unit_cube::contract;
 /// The part of a ray in the unit cube.
 #[derive(Clone, Copy, Debug)]
 pub struct Segment<N> {
-    /// Begin, s.
+    /// s, where the segment begins.
     pub start: [N; 3],
-    /// Way, w.
-    pub way: [N; 3],
+    /// w, from its begin to its end.
+    pub w: [N; 3],
     /// K; 0 where the ray misses the cube.
     pub count: N,
     /// `L / K / sigma`; 0 where the ray misses the cube.
@@ -50,9 +50,9 @@ pub fn segment<N: Number>(p: [N; 3], eye: [N; 3], step: f64) -> Segment<N> {
     let [zero, one] = [0.0, 1.0].map(N::from);
     let [t0, t1] = planes(p, v).map(|t| t.min(one).max(zero));
     let lambda = (t1 - t0).max(zero);
-    let way = v.map(|v| lambda * v);
-    let [count, factor] = steps(dot(way, way).sqrt(), step);
-    Segment { start: std::array::from_fn(|axis| p[axis] + t0 * v[axis]), way, count, factor }
+    let w = v.map(|v| lambda * v);
+    let [count, factor] = steps(dot(w, w).sqrt(), step);
+    Segment { start: std::array::from_fn(|axis| p[axis] + t0 * v[axis]), w, count, factor }
 }
 
 /// A ray from a Gaussian to a camera in contracted space. The cube's center is the origin.

@@ -17,11 +17,12 @@ pub fn harmonic(at: usize, [x, y, z]: [f64; 3]) -> f64 {
     let factorial = |n: i32| (1..=n).map(f64::from).product::<f64>();
     let sine = (1.0 - z * z).max(0.0).sqrt();
     // P_m^m with the Condon-Shortley phase, then up to P_l^m
-    let (mut below, mut legendre) =
-        (0.0, (1..=order).map(|k| -f64::from(2 * k - 1) * sine).product::<f64>());
+    let mut below = 0.0;
+    let mut legendre: f64 = (1..=order).map(|k| -f64::from(2 * k - 1) * sine).product();
     for k in order + 1..=l {
         let next = f64::from(2 * k - 1) * z * legendre - f64::from(k + order - 1) * below;
-        (below, legendre) = (legendre, next / f64::from(k - order));
+        below = legendre;
+        legendre = next / f64::from(k - order);
     }
     let ratio = factorial(l - order) / factorial(l + order);
     let norm = (f64::from(2 * l + 1) / (4.0 * PI) * ratio).sqrt();

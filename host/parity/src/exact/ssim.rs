@@ -27,7 +27,7 @@ pub fn similarity<N: Number>([x, y]: [N; 2], variances: N, covariance: N) -> N {
     (two * x * y + c1) * (two * covariance + c2) / ((x * x + y * y + c1) * (variances + c2))
 }
 
-/// SSIM of a window from its pixels: weight, x and y of each.  The weights need not add up to 1.
+/// SSIM of a window from its pixels: weight, x and y of each. The weights need not add up to 1.
 pub fn window_ssim<N: Number>(pixels: &[(f64, [N; 2])]) -> N {
     let total: f64 = pixels.iter().map(|(weight, _)| weight).sum();
     let mean = |value: &dyn Fn(N, N) -> N| {

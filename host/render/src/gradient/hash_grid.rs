@@ -20,7 +20,7 @@ const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
 /// Gradient of a hash grid's table.
 ///
 /// For each part of a batch: [`raise_bound`](Self::raise_bound), [`set_scale`](Self::set_scale), then
-/// [`accumulate`](Self::accumulate) for each block, then [`finish`](Self::finish). No call waits for the device. Parts can
+/// [`accumulate`](Self::accumulate) for each span of chunks, then [`finish`](Self::finish). No call waits for the device. Parts can
 /// share a scale: all of them raise the bound before the scale is set.
 #[derive(Clone, Debug)]
 pub struct HashGridGradient {
@@ -29,8 +29,7 @@ pub struct HashGridGradient {
     /// `[ceil(entries * features / 64)]`: not 0 where a block of 64 values has changed. Clear these flags together with the
     /// gradient.
     pub touched: Buffer<u32>,
-    /// `[1]`: 0, or the last `STATUS_..` of [`organza_shaders::hash_grid_scale`]: some gradients were not finite, and are left
-    /// out.
+    /// `[1]`: 0, or a `STATUS_..` of [`organza_shaders::hash_grid_scale`]: some gradients were not finite, and were left out.
     pub status: Buffer<u32>,
     /// `[2 * entries * features]`: 64-bit integers, the low word first; 0 between parts.
     pub(crate) sum: Buffer<u32>,
@@ -105,9 +104,9 @@ impl HashGridGradient {
         device.run_all(&kernel.counted(samples))
     }
 
-    /// Adds the gradients of a block of `count` samples to the sums.
+    /// Adds the gradients of a span of `count` samples to the sums.
     ///
-    /// `points` are as for [`DeviceField::encode`]. In `feature_gradient [chunks, rows, stride]`, the first row of the grid's
+    /// `points` are the ones of the forward pass. In `feature_gradient [chunks, rows, stride]`, the first row of the grid's
     /// features is `params.first_row`.
     pub fn accumulate(
         &self,

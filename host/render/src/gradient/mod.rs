@@ -26,7 +26,7 @@ use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
 /// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](organza_core::Camera::moved) says what they mean.
 pub const POSE: usize = pose_backward::VALUES as usize;
 
-/// The tensors whose gradients `project_backward` adds to one buffer, in this order, which is also the table's.
+/// The tensors whose gradients `project_backward` adds to one buffer, in this order, which is the order of [`Tensors`], too.
 pub const GEOMETRY: [&str; 4] =
     ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
 
@@ -36,19 +36,20 @@ pub struct SceneGradient {
     pub(crate) tensors: Tensors<TensorGradient>,
     /// `[11 N]`: the gradients of [`GEOMETRY`], one after the other.
     pub(crate) geometry: Buffer<f32>,
-    /// `[N]`: the sum of |dL/dmean2d| over cameras, the cameras that saw the Gaussian, its largest radius in pixels, 0.
+    /// `[N]`: the sum of |dL/dmean2d| over cameras, how many cameras have shown the Gaussian, its largest radius in pixels, 0. Steps add to
+    /// it; densification clears it.
     pub statistics: Buffer<Vec4>,
     /// The statistics as they were when the step began.
     statistics_before: Buffer<Vec4>,
     pub(crate) color: FieldGradient,
     pub(crate) transmittance: FieldGradient,
-    /// Whether the transmittance field and the extra vectors are wanted at all.
+    /// Whether the backward pass computes the gradients of the transmittance field and of the extra vectors.
     pub has_transmittance: bool,
-    /// The gradients of the cameras' poses, where they are wanted.
+    /// The gradients of the cameras' poses, if [wanted](Self::with_poses).
     pub(crate) poses: Option<BinnedGradient>,
-    /// The gradients of the photographs' exposures `[photographs, STRIDE]`, where they are wanted.
+    /// The gradients of the photographs' exposures `[photographs, STRIDE]`, if [wanted](Self::with_exposures).
     pub exposures: Option<BinnedGradient>,
-    /// `[COUNTS]`: of batches that the host does not wait for.
+    /// `[COUNTS]`: the counts of [queued](crate::Renderer::queue_loss_gradient) batches.
     pub(crate) counts: Arc<Buffer<u32>>,
 }
 
@@ -137,7 +138,7 @@ impl SceneGradient {
         })
     }
 
-    /// The same with the gradients of the poses of `cameras`: all that a batch may show.
+    /// Adds the gradients of the poses of `cameras` cameras: all that a batch may show.
     ///
     /// # Errors
     /// The same errors as [`Device::zeros`].
@@ -147,7 +148,7 @@ impl SceneGradient {
         Ok(self)
     }
 
-    /// The same with the gradients of the exposures of `photographs`: all that a batch may show.
+    /// Adds the gradients of the exposures of `photographs` photographs: all that a batch may show.
     ///
     /// # Errors
     /// The same errors as [`Device::zeros`].
@@ -157,7 +158,7 @@ impl SceneGradient {
         Ok(self)
     }
 
-    /// The gradients of the cameras' poses `[cameras, 6]`, where they are wanted. Waits for the device.
+    /// The gradients of the cameras' poses `[cameras, 6]`, or nothing if they are not wanted. Waits for the device.
     ///
     /// # Errors
     /// The same errors as [`Device::read`].
@@ -166,7 +167,7 @@ impl SceneGradient {
         Ok(device.read(&poses.values)?.as_chunks().0.to_vec())
     }
 
-    /// `values` that a step may change: none after a queued batch has failed. See [`Renderer::queue_loss_gradient`](crate::Renderer::queue_loss_gradient).
+    /// A count of `values`, or of none after a queued batch has failed: see [`Renderer::queue_loss_gradient`](crate::Renderer::queue_loss_gradient).
     pub fn unless_failed(&self, values: u32) -> Count {
         Count::on_device(&self.counts, ALL, values)
     }
@@ -184,7 +185,7 @@ impl SceneGradient {
         &self.tensors
     }
 
-    /// Looks whether every gradient of a hash grid was a number.
+    /// Checks that all gradients of the hash grids were finite.
     ///
     /// # Errors
     /// [`Error::Diverged`] where one was not; as [`Device::read`].
@@ -208,7 +209,7 @@ impl SceneGradient {
         }
     }
 
-    /// Sets the scales of both hash grids' sums, of as many samples: of the color and of the transmittance field.
+    /// Sets the scales of both hash grids' sums, for these numbers of samples of the color field and of the transmittance field.
     pub(crate) fn set_scales(
         &self,
         device: &Device,
@@ -222,7 +223,7 @@ impl SceneGradient {
         Ok(())
     }
 
-    /// Makes gradients of all sums, and clears these.
+    /// Adds all sums to the gradients, and clears the sums.
     pub(crate) fn finish(&self, device: &Device) -> Result<()> {
         for field in [&self.color, &self.transmittance] {
             field.table.finish(device)?;
@@ -232,12 +233,12 @@ impl SceneGradient {
         Ok(photographs.into_iter().try_for_each(|values| values.finish(device))?)
     }
 
-    /// A step begins.
+    /// Remembers the statistics before a step, for [`Self::rollback`].
     pub(crate) fn snapshot(&self, device: &Device) {
         device.copy(&self.statistics, &self.statistics_before);
     }
 
-    /// As it was when the step began.
+    /// Restores the state before the step: zeros, and the statistics of [`Self::snapshot`].
     pub fn rollback(&self, device: &Device) {
         device.copy(&self.statistics_before, &self.statistics);
         self.tensors.iter().for_each(|(_, tensor)| device.clear(&tensor.buffer));
@@ -254,7 +255,7 @@ impl SceneGradient {
         self.poses.iter().for_each(|poses| poses.clear(device));
     }
 
-    /// Clears the marks of the blocks of the tables that have a gradient, for the next step.
+    /// Clears the flags of the tables' blocks, for the next step.
     pub fn clear_touched(&self, device: &Device) {
         let touched = self.tensors.iter().filter_map(|(_, tensor)| tensor.touched.as_ref());
         touched.for_each(|touched| device.clear(touched));

@@ -100,7 +100,8 @@ pub fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Resu
     Ok(())
 }
 
-/// The gradients of Gaussians, and the statistics of densification, as rows: one for each Gaussian in a view batch.
+/// The gradients of Gaussians, and the statistics of densification, as rows: one for each Gaussian that a
+/// [view batch](crate::pass::batch) has a gradient for. Each rank owns a range of the Gaussians, and sums their rows.
 pub struct Rows<'a> {
     device: &'a Device,
     ranks: &'a dyn Ranks,
@@ -117,7 +118,7 @@ pub struct Rows<'a> {
 const STATISTICS: usize = 3;
 
 impl<'a> Rows<'a> {
-    /// No rows yet. The gradient's statistics are taken, and written back with [`Rows::add`].
+    /// No rows yet. Takes the statistics out of the gradient; [`Rows::add`] writes them back.
     pub fn new(
         device: &'a Device,
         ranks: &'a dyn Ranks,

@@ -1,4 +1,4 @@
-//! A batch's tiles beside photographs: dL/dY part by part, and what is measured of each tile.
+//! Compares a batch's tiles with photographs: dL/dY part by part, and the loss of each tile.
 
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ use organza_core::ranks::Ranks;
 pub struct BatchLoss {
     /// The loss: the caller's own where there is one.
     pub loss: f64,
-    /// What is measured of each tile, in the order of the batch.
+    /// The measurements of each tile, in the order of the batch.
     pub tiles: Vec<TileLoss>,
 }
 
@@ -29,18 +29,18 @@ pub enum LossSource<'a> {
     Compared(Comparison<'a>),
 }
 
-/// Tiles beside photographs.
+/// A comparison of tiles with photographs.
 pub struct Comparison<'a> {
     pub target: &'a LossTarget<'a>,
-    /// dL/dY `[K, 3, S, S]` of a caller's loss, of tiles as they were exposed: instead of the image's.
+    /// dL/dY `[K, 3, S, S]` of a caller's loss, with respect to the exposed tiles. It replaces the gradient of the image's loss.
     own: Option<&'a [f32]>,
-    /// By the tile's place in the batch.
+    /// The loss of each tile, by the tile's place in the batch.
     found: BTreeMap<usize, TileLoss>,
-    /// Of the last part.
+    /// The sums of the last part's rows.
     row_sum: Option<Buffer<u32>>,
 }
 
-/// What ranks tell each other of a tile.
+/// What a rank sends to the others about a tile.
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 struct TileNumbers {
@@ -49,8 +49,8 @@ struct TileNumbers {
 }
 
 impl LossSource<'_> {
-    /// Queues dL/dY of a part's tiles `[tiles, 3, S, S]`. If the host does not wait for the part, [looks](crate::stages::counts::PartCounts::check_loss)
-    /// at the loss.
+    /// Queues dL/dY of a part's tiles, `[tiles, 3, S, S]`. With `is_queued`, the host does not wait for the loss: the device
+    /// [checks](crate::stages::counts::PartCounts::check_loss) it.
     pub fn backward(
         &mut self,
         device: &Device,
@@ -139,7 +139,7 @@ impl<'a> Comparison<'a> {
         Ok(d_tiles)
     }
 
-    /// Adds what other ranks have measured.
+    /// Adds the measurements of other ranks.
     pub fn gather(&mut self, ranks: &dyn Ranks) -> Result<()> {
         let numbers =
             |(&place, &loss): (&usize, &TileLoss)| TileNumbers { place: place as f64, loss };
@@ -151,7 +151,7 @@ impl<'a> Comparison<'a> {
         Ok(())
     }
 
-    /// What was measured of a batch, and its loss: a caller's own, or the image's.
+    /// The measurements of a batch, and its loss: a caller's own, or the image's.
     pub fn finish(self, own: Option<f64>) -> BatchLoss {
         let tiles: Vec<_> = self.found.into_values().collect();
         let loss = own.unwrap_or_else(|| TileLoss::total(&tiles).value(self.target.ssim_weight));

@@ -29,7 +29,7 @@ pub struct LossInputs<'a> {
     pub target: &'a Buffer<f32>,
     /// `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
     pub valid: &'a Buffer<f32>,
-    /// n, the pixels that the mean is taken over: how many of `valid` are 1, in all parts of the batch together.
+    /// n, the pixels that the mean is taken over: how many of `valid` are 1, over all parts of the batch.
     pub valid_pixels: f64,
     /// w, the weight of `1 - SSIM`, 0 to 1; 0.2 is usual.
     pub ssim_weight: f32,
@@ -149,7 +149,7 @@ fn scales(valid_pixels: f64, ssim_weight: f32) -> [f64; 2] {
     [(1.0 - weight) * share, weight * share]
 }
 
-/// The loss of K tiles of `side` pixels and its gradient; on a GPU they are queued. Takes 196 bytes a pixel until then.
+/// The loss of K tiles of `side` x `side` pixels, and its gradient. On a GPU, both are queued. They take 196 bytes a pixel until then.
 ///
 /// # Errors
 /// [`Error::Argument`](organza_core::Error::Argument) where the buffers do not hold a number of tiles, for a side of 0 or more than
@@ -247,7 +247,7 @@ impl LossInputs<'_> {
 }
 
 impl LossOutput {
-    /// The sums of each tile, read from the device: waits for it.  The order of the sums is fixed.
+    /// The sums of each tile, read from the device: waits for it. The order of the sums is fixed.
     ///
     /// # Errors
     /// The same errors as [`Device::read`].

@@ -1,13 +1,16 @@
 //! Runs forward and backward over a batch, and recovers from running out of memory.
 //!
-//! A view batch is a batch's tiles of one camera. Its gradients have the same bits on any rank, alone or in one
-//! part with others. So the sum depends neither on how a batch is cut into parts, nor on how many
+//! A view batch has a batch's tiles of one camera, at most as many as fit into a part. Its gradients have the same bits on any rank,
+//! alone or in one part with others. So the sum depends neither on how a batch is cut into parts, nor on how many
 //! [ranks](organza_core::ranks) share it. View batches are dealt to ranks: rank v mod R has the one with the number v.
 //!
-//! - **hash grids** are summed as 64-bit integers, which are exact in any order. All view batches share one scale: its
+//! - **Hash grids** are summed as 64-bit integers, which are exact in any order. All view batches share one scale: its
 //!   bound is the largest of all bounds.
-//! - **networks and poses** are summed as [binned](muslin::binned) sums, which are exact, too.
+//! - **Networks and poses** are summed as [binned](muslin::binned) sums, which are exact, too.
 //! - **Gaussians** are summed camera by camera; between ranks as [`Rows`].
+//!
+//! A CPU waits for the counts of each part before it allocates tables. A GPU allocates what [earlier parts](super::capacity) needed, and
+//! reads the counts together with the part's results. Where that was too little, [`Pass::read`] finds it, and the part runs again.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -29,10 +32,11 @@ use organza_core::error::argument;
 use organza_core::ranks::Ranks;
 use organza_core::{Camera, Error, Result, TileBatch};
 
-/// Bytes of parts that are kept between both directions, at least, and the share of a GPU's memory. Other parts are rendered again.
+/// Bytes of parts that are kept from the forward to the backward pass: this many, or this share of a GPU's memory if that is more. Other
+/// parts are rendered again.
 const KEPT_BYTES: u64 = 2 << 30;
 const KEPT_SHARES: u64 = 4;
-/// The bytes of tables that a pair or a sample takes, about.
+/// About how many bytes of tables a pair or a sample takes.
 const SAMPLE_BYTES: u64 = 128;
 
 /// What all parts of a batch share.
@@ -47,7 +51,7 @@ pub struct Pass<'a> {
     pub queued: Option<&'a Arc<Buffer<u32>>>,
 }
 
-/// The parts of a batch, of this rank.
+/// This rank's parts of a batch.
 #[derive(Debug)]
 pub struct Parts {
     pub list: Vec<BatchPart>,
@@ -55,7 +59,7 @@ pub struct Parts {
     views: usize,
     /// Pairs and samples that may still be kept.
     room: u64,
-    /// Whether parts are kept after the backward pass, too.
+    /// Whether parts are kept after the backward pass, too: a [tape](super::tape::Tape) may run it again.
     stays: bool,
 }
 
@@ -63,13 +67,13 @@ pub struct Parts {
 #[derive(Debug)]
 pub struct BatchPart {
     pub part_tiles: PartTiles,
-    /// Once it is known.
+    /// What the part needs, once it is known.
     needed: Option<Capacity>,
-    /// Whether a prediction was too small: the host then waits for the counts.
+    /// Whether a prediction was too small: the host then waits for the counts before it allocates.
     waits: bool,
     /// Whether it is rendered for [`Pass::backward`].
     is_for_gradients: bool,
-    /// Nothing before it is rendered, and where it is rendered again.
+    /// The results of the stages; `None` before they run, and after they were released.
     part: Option<Part>,
     /// Whether the part is counted in [`Parts::room`].
     is_kept: bool,
@@ -138,7 +142,7 @@ impl<'a> Pass<'a> {
         self.renderer.device()
     }
 
-    /// The most pairs and samples of parts that are kept.
+    /// The largest number of pairs and samples in kept parts.
     fn kept_samples(&self) -> u64 {
         self.device().memory_share(KEPT_SHARES, KEPT_BYTES) / SAMPLE_BYTES
     }
@@ -184,7 +188,7 @@ impl<'a> Pass<'a> {
         Ok(())
     }
 
-    /// Renders a part, and reads its tiles. Returns false if it had too little room.
+    /// Renders a part, and reads its tiles. Returns false if it had too little room: it must be rendered again.
     fn read_tiles(&self, at: &mut BatchPart, keep: bool, output: &mut Output<'_>) -> Result<bool> {
         let part = self.evaluate(at, keep)?;
         let contexts = part.context(self.scene).all(&part.beside);
@@ -229,8 +233,8 @@ impl<'a> Pass<'a> {
         [at.part_tiles.tiles.len() as u32, self.scene.gaussians]
     }
 
-    /// Reads buffers of a part, and what it needed. Waits once, or not at all if nothing is left to read. If the part had too
-    /// little room, returns nothing: it waits for its counts next time.
+    /// Reads buffers of a part, and what it needed. Waits once, or not at all if nothing is left to read. `None` if the part had too
+    /// little room: the host waits for its counts next time.
     fn read(
         &self,
         at: &mut BatchPart,
@@ -259,9 +263,9 @@ impl<'a> Pass<'a> {
         Ok(Some((words, needed)))
     }
 
-    /// Adds dL/dtensor to gradients that are zero, but for the statistics.
+    /// Adds dL/dtensor to gradients that are zero. The statistics may have values already.
     ///
-    /// First, all parts go from tiles to splats, which tells the scale of the hash grids' sums. Then all go from splats to
+    /// First, all parts go from tiles to splats, which gives the scale of the hash grids' sums. Then all go from splats to
     /// tensors. A batch of one part is one submission to a GPU, and one wait at its end.
     ///
     /// # Errors
@@ -277,7 +281,7 @@ impl<'a> Pass<'a> {
         }
         loop {
             let splats = self.backward_to_splats(parts, loss, into);
-            // other ranks do not begin again
+            // other ranks have gone on, and do not begin again
             let is_shared = self.ranks.is_some() && splats.is_ok();
             match splats.and_then(|()| self.backward_to_tensors(parts, loss, into)) {
                 Ok(true) => return Ok(()),
@@ -323,7 +327,7 @@ impl<'a> Pass<'a> {
         parts.list.len() == 1 && self.ranks.is_none()
     }
 
-    /// From the tiles of each part to its splats, which raise the bounds of both hash grids' sums.
+    /// From the tiles of each part to its splats, whose gradients raise the bounds of both hash grids' sums.
     fn backward_to_splats(
         &self,
         parts: &mut Parts,
@@ -409,7 +413,7 @@ impl<'a> Pass<'a> {
         Ok(true)
     }
 
-    /// The samples of the color field and of the transmittance field, of all parts and ranks, whose bounds are shared.
+    /// The number of samples of the color field and of the transmittance field, over all parts and ranks. Ranks also share their bounds.
     fn samples(&self, parts: &Parts, into: &SceneGradient) -> Result<[Count; 2]> {
         if self.is_alone(parts) {
             let part = parts.list[0].part.as_ref().expect("it was evaluated");
@@ -432,7 +436,7 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// Calls `evaluate` for every part of a batch. A part for which memory runs out comes again, in pieces.
+    /// Calls `evaluate` for every part of a batch. A part for which memory runs out is cut into smaller ones, and comes again.
     ///
     /// # Errors
     /// The errors of `evaluate`, and of [`Self::make_room`].
@@ -452,8 +456,8 @@ impl<'a> Pass<'a> {
         Ok(())
     }
 
-    /// After memory ran out, gives up what was kept; then cuts some parts into pieces; then forgets what was predicted, as
-    /// a part may need less.
+    /// After memory ran out, releases the parts that were kept. If there are none, cuts the parts of `range` into smaller ones. If they have
+    /// one tile each, forgets the predictions, because a part may need less.
     ///
     /// # Errors
     /// The error, if it is another one or if there is nothing more to give up.

@@ -1,4 +1,4 @@
-//! The capacity that a part needs, judging by others: a GPU then does not wait for its counts.
+//! Predicts the capacity that a part needs from earlier parts, so that a GPU does not wait for its counts.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -8,28 +8,28 @@ use crate::stages::counts::Capacity;
 const BATCHES: usize = 16;
 /// Extra capacity, as a fraction of the largest number that one of them needed.
 const MARGIN: f64 = 0.125;
-/// Extra capacity that does not depend on the batches.
+/// Extra capacity that does not depend on earlier parts.
 const MIN_CAPACITY: f64 = 1024.0;
 /// Kernels count items in 32 bits, and some of them in steps of three.
 const MAX_CAPACITY: f64 = (u32::MAX / 4) as f64;
 
-/// Batches that need alike many pairs, intersections and samples for each tile and Gaussian.
+/// A kind of parts: per tile and Gaussian, they need about the same numbers of pairs, intersections and samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BatchKind {
     /// Side of a tile, in pixels.
     pub side: u32,
-    /// Whether they are for gradients: an evaluation between steps of a training shows other tiles.
+    /// Whether they are for gradients: an evaluation between training steps renders other tiles.
     pub is_for_gradients: bool,
     /// Length of T's steps, as a multiple of sigma.
     pub ray_steps: u32,
 }
 
-/// The room that recent batches of each kind needed, for each tile and Gaussian.
+/// The capacity that recent parts of each kind needed, per tile and Gaussian.
 #[derive(Debug, Default, PartialEq)]
 pub struct CapacityPredictor(HashMap<BatchKind, VecDeque<[f64; 3]>>);
 
 impl CapacityPredictor {
-    /// Records what a batch of so many tiles and Gaussians has needed.
+    /// Records what a part with these numbers of tiles and Gaussians has needed.
     pub fn observe(&mut self, kind: BatchKind, [tiles, gaussians]: [u32; 2], needed: Capacity) {
         let seen = self.0.entry(kind).or_default();
         seen.truncate(BATCHES - 1);
@@ -38,7 +38,8 @@ impl CapacityPredictor {
         seen.push_front([pairs, intersections, samples].map(|number| f64::from(number) / size));
     }
 
-    /// The capacity for a batch of so many tiles and Gaussians; `None` before the first batch of this kind, or if it exceeds 32 bits.
+    /// The capacity for a part with these numbers of tiles and Gaussians. `None` before the first part of this kind, or if a number exceeds
+    /// 32 bits.
     pub fn predict(&self, kind: BatchKind, [tiles, gaussians]: [u32; 2]) -> Option<Capacity> {
         let seen = self.0.get(&kind)?;
         let size = f64::from(tiles) * f64::from(gaussians);
@@ -50,7 +51,7 @@ impl CapacityPredictor {
         Some(Capacity { pairs: capacity(0)?, intersections: capacity(1)?, samples: capacity(2)? })
     }
 
-    /// Multiplies what was seen by a factor.
+    /// Multiplies all recorded numbers by a factor.
     pub fn shrink(&mut self, factor: f64) {
         let numbers = self.0.values_mut().flatten().flatten();
         numbers.for_each(|number| *number *= factor);

@@ -1,4 +1,4 @@
-//! The gradient of a batch's loss, of tiles beside photographs.
+//! The loss of a batch and its gradient: tiles are compared with photographs.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ use organza_core::ranks::Ranks;
 use organza_core::{Camera, RenderedTiles, Result, TileBatch};
 
 impl Renderer {
-    /// Adds the gradients of a batch's loss to `gradient`; returns the loss, and what it measures of the tiles.
+    /// Adds the gradients of a batch's loss to `gradient`. Returns the loss, and the measurements of each tile.
     ///
     /// With `ranks`, each has the same batch, scene and loss, and renders some views of the batch. All get the same result
     /// and the same gradient.
@@ -26,8 +26,8 @@ impl Renderer {
     /// `own` is a caller's loss instead of the image's. Tiles are measured and have exposures all the same.
     /// A loss on the host sees the whole batch, so that all tiles are read first.
     ///
-    /// On a GPU a batch of one part is one wait, for the losses, after a first one that has found out what such batches need;
-    /// a loss of the caller's takes one more. `gradient` is a step's: but for the statistics, zero before.
+    /// On a GPU, a batch of one part waits once, for the losses. The first batch of a kind also waits for its counts, and a loss of the
+    /// caller's waits for the tiles. All values of `gradient` must be zero, except for the statistics.
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank); the errors of the caller's loss, and
@@ -70,8 +70,8 @@ impl Renderer {
 
     /// Queues what [`Renderer::add_loss_gradient`] does with the image's loss, and waits for nothing: a GPU then works on several
     /// batches, one after the other, while the host prepares the next one. `None`, with nothing queued, where the host must wait:
-    /// on a CPU, for a batch of several parts, and for the first batch of a kind, which tells the room
-    /// that such batches need.
+    /// on a CPU, for a batch of several parts, and for the first batch of a kind, which shows how much room
+    /// such batches need.
     ///
     /// A batch fails if it has too little room or if its loss is not finite. Neither it nor any later queued batch then adds to the
     /// gradient, and [`SceneGradient::unless_failed`] counts nothing, until [`SceneGradient::clear_failure`].
@@ -114,7 +114,7 @@ pub struct QueuedLoss {
 }
 
 impl QueuedLoss {
-    /// What [`QueuedLoss::finish`] takes the values of. The next batch overwrites some of them.
+    /// The buffers whose values [`QueuedLoss::finish`] needs. The next batch overwrites some of them.
     pub fn buffers(&self) -> &[Buffer<u32>] {
         &self.buffers
     }

@@ -1,4 +1,4 @@
-//! The tiles of a part, from a device to where they belong on the host.
+//! Reads the tiles of a part from the device, and puts them where they belong on the host.
 
 use crate::stages::channels::ChannelSums;
 use crate::stages::composite::{Composite, TileContext, pixels};
@@ -36,7 +36,7 @@ impl Output<'_> {
         Ok((buffers, Some(sums)))
     }
 
-    /// Takes the words of [`Self::buffers`], of a number of scenes and of a part that needed this capacity.
+    /// Takes the words of [`Self::buffers`] and the sums of its channels, of a part that shows `scenes` scenes and needed this capacity.
     pub fn take(
         &mut self,
         device: &Device,

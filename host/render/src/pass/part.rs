@@ -30,7 +30,7 @@ pub struct Part {
     pub capacity: Capacity,
 }
 
-/// The stages before the composite, and the capacity that they have.
+/// The stages before the composite, and the room that their tables have.
 fn stages(
     scene: &DeviceScene,
     cameras: &[&Camera],
@@ -55,7 +55,8 @@ fn stages(
 }
 
 impl Part {
-    /// `keep` says whether [`Part::backward`] will be called. With `counts`, nothing waits for the device; if their capacity is
+    /// Runs the stages from Gaussians to pixels. With `keep`, networks' inputs stay in memory for [`Part::backward`], as far as they fit:
+    /// see [`Blocks::new`](crate::stages::field::samples::Blocks::new). With `counts`, nothing waits for the device; if their capacity is
     /// too small, the part is empty. Without, the host waits for the counts, and there is room for everything.
     pub fn evaluate(
         scene: &DeviceScene,
@@ -91,7 +92,7 @@ impl Part {
         TileContext { scene, bins: &self.bins, transmittance, color: &self.color.color }
     }
 
-    /// Raises the bounds of both hash grids' sums, by `d_splats [pairs, 3]`.
+    /// Raises the bounds of both hash grids' sums, given `d_splats [pairs, 3]`.
     pub fn raise_bounds(
         &self,
         scene: &DeviceScene,
@@ -112,8 +113,8 @@ impl Part {
         Ok(())
     }
 
-    /// Adds the gradients of all tensors, by `d_splats [pairs, 3]`, after the scale of the hash grids' sums is set. With
-    /// `rows`, takes the Gaussians' gradients in each camera. The last camera of a part may continue in the next one.
+    /// Adds the gradients of all tensors, given `d_splats [pairs, 3]`, after the scale of the hash grids' sums is set. With
+    /// `rows`, takes the Gaussians' gradients view batch by view batch. `continues`: the last view batch continues in the next part.
     pub fn backward(
         &self,
         scene: &DeviceScene,

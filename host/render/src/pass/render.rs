@@ -8,7 +8,7 @@ use organza_core::image::{self, Image};
 use organza_core::{Camera, Channel, RenderReport, RenderedTiles, Result, TileBatch};
 
 impl Renderer {
-    /// Renders a batch of tiles.  A batch that does not fit into the device's memory is rendered in parts; a part does
+    /// Renders a batch of tiles. A batch that does not fit into the device's memory is rendered in parts; a part does
     /// not change the image.
     ///
     /// # Errors
@@ -82,7 +82,7 @@ impl Renderer {
         Ok(image)
     }
 
-    /// What all parts of a batch share, without ranks.
+    /// What all parts of a batch share. No other ranks take part, and the host waits for results.
     pub(crate) fn pass<'a>(&'a self, scene: &'a DeviceScene, cameras: &'a [Camera]) -> Pass<'a> {
         Pass { renderer: self, scene, cameras, ranks: None, queued: None }
     }

@@ -127,7 +127,7 @@ impl Renderer {
     /// Adds dL/dtensor of `grad_tiles [K, 3, S, S]` to `gradient`, and waits for it. Nothing is kept.
     ///
     /// # Errors
-    /// The same errors as [`Renderer::gradient`]. If memory ran out on the way, `gradient` has lost its earlier values.
+    /// The same errors as [`Renderer::gradient`]. If memory ran out meanwhile, `gradient` has lost its earlier values.
     pub fn add_gradient(
         &self,
         scene: &DeviceScene,
@@ -161,8 +161,8 @@ impl Tape {
         self.download(grad_tiles, false).map(|(gradient, _)| gradient)
     }
 
-    /// Like [`Tape::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation vector
-    /// and the shift of [`Camera::moved`], where both are 0. The gradients of a camera that shows no tile are 0. As the
+    /// Like [`Tape::backward`], with the gradients of the poses of all cameras, `[cameras, 6]`: with respect to the rotation vector
+    /// and the shift of [`Camera::moved`], at 0. The gradients of a camera that shows no tile are 0. As the
     /// networks see positions and directions as constants, they see the camera's center as one.
     ///
     /// # Errors

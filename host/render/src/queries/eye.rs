@@ -93,7 +93,7 @@ impl EyeCache {
         })
     }
 
-    /// Makes all values old, after a scene was [moved](DeviceScene::moved).
+    /// Marks all values as old, after a scene was [moved](DeviceScene::moved).
     pub fn outdate(&mut self) {
         let known = self.eyes.iter_mut().filter(|eye| eye.is_finite());
         known.for_each(|eye| *eye = ELSEWHERE);

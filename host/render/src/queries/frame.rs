@@ -1,4 +1,4 @@
-//! One frame of one camera, as a plan that something else runs: a page in a browser.
+//! One frame of one camera, as a plan: the recorded commands that a page in a browser runs.
 
 use crate::pass::part::Part;
 use crate::scene::composition::CAMERAS;
@@ -22,12 +22,12 @@ pub struct FrameShape {
     pub side: u32,
     /// The length of T's steps in multiples of sigma, Eq. 8.
     pub steps: u16,
-    /// Capacities of the tables: see [`Renderer::capacities`]. A frame that needs more is empty, and its counts show it.
+    /// Capacities of the tables: see [`Renderer::capacities`]. A frame that needs more is empty, and its counts have the overflow flag.
     pub capacities: Vec<Capacity>,
 }
 
-/// A frame that a [planner](muslin_device::Device::planner) has written down, and the numbers of the buffers that its
-/// user writes and reads.
+/// A frame that a [planner](muslin_device::Device::planner) has recorded, and the numbers of the buffers that the page
+/// writes and reads.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Buffers and steps.
@@ -78,7 +78,7 @@ impl Renderer {
         Ok(all)
     }
 
-    /// Writes down a frame. The renderer's device is a planner.
+    /// Records a frame. The renderer's device is a planner.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) if a table is larger than a browser can bind.

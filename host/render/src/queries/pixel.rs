@@ -78,7 +78,7 @@ pub struct Trace {
     pub ray: Ray,
 }
 
-/// How a pixel came about. As JSON, it has all but the Gaussians.
+/// The Gaussians and the sums that make a pixel. As JSON, it has all but the Gaussians.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Inspection {
     /// The Gaussians whose support reaches the pixel's square, ascending.
@@ -149,6 +149,7 @@ impl Renderer {
         let color = color.as_chunks::<3>().0.to_vec();
         Ok((color, device.read(&transmittance.transmittance)?))
     }
+    /// Pairs of all Gaussians and a camera, and their T.
 
     fn every_pair(&self, scene: &DeviceScene, camera: &Camera) -> Result<(Pairs, Transmittance)> {
         let device = self.device();

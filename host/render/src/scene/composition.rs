@@ -1,4 +1,7 @@
 //! Scenes that are shown together. Each keeps its coordinates, its box and its fields.
+//!
+//! The first scene has the others in `beside`. A scene's `fields` are the other scenes' transmittance fields with its own Gaussians, whose
+//! positions are in the other scene's coordinates: T of a Gaussian is the product of T over its own field and these.
 
 use std::sync::Arc;
 
@@ -10,7 +13,7 @@ use organza_core::{Camera, Result};
 
 /// Label of the buffers of cameras.
 pub const CAMERAS: &str = "cameras";
-/// Kernels square coordinates as f32.
+/// The largest coordinate whose square is finite in f32.
 const FARTHEST: f32 = 1e15;
 
 impl DeviceScene {
@@ -40,7 +43,7 @@ impl DeviceScene {
         Ok(())
     }
 
-    /// The same scenes, on the same memory, with one of [`DeviceScene::all`] but the first at another place.
+    /// The same scenes, on the same memory, with the scene at `index` of [`DeviceScene::all`] at another place; `index` is not 0.
     ///
     /// # Errors
     /// The same errors as [`DeviceScene::put`].
@@ -74,7 +77,7 @@ impl DeviceScene {
         self.device.upload(CAMERAS, &own.flatten().collect::<Vec<_>>())
     }
 
-    /// This scene's fields, with the Gaussians of another one.
+    /// This scene's fields, with the Gaussians of another one, whose extra vectors are zero.
     fn field_for(&self, other: &Self) -> Result<Self> {
         let mut position =
             self.device.read(&other.tensors.gaussians.position.view::<[f32; 3]>())?;

@@ -29,8 +29,9 @@ pub struct DeviceScene {
     pub(crate) occupancy: Occupancy,
     /// Where the scene lies in the coordinates of the one that it is [put](Self::put) beside.
     pub(crate) place: Placement,
+    /// The scenes that are shown with this one.
     pub(crate) beside: Vec<Self>,
-    /// The other scenes' fields, with this scene's Gaussians.
+    /// The other scenes' fields, with this scene's Gaussians: see [`composition`](super::composition).
     pub(crate) fields: Vec<Self>,
     /// Number of calls of [`DeviceScene::write`].
     pub(crate) version: Arc<AtomicU64>,

@@ -32,24 +32,24 @@ impl LayerPlace {
         network.layers.iter().enumerate().map(place).collect()
     }
 
-    /// The place of the value `at` of the layer's weight `[outputs, inputs]`, in values.
+    /// The index in the parameters' values of element `at` of the layer's weight `[outputs, inputs]`.
     fn weight_value(&self, at: usize) -> usize {
         let output = at / self.inputs as usize;
         let input = at % self.inputs as usize;
         4 * (self.weight as usize + input * self.columns as usize) + output
     }
 
-    /// The places of the layer's weight with its padding, in values.
+    /// The range of the layer's weight in the parameters' values, with the padding.
     pub fn weight_values(&self) -> Range<usize> {
         4 * self.weight as usize..self.bias_value()
     }
 
-    /// The place of the layer's bias, in values.
+    /// The index of the layer's bias in the parameters' values.
     pub fn bias_value(&self) -> usize {
         4 * self.bias as usize
     }
 
-    /// Writes the layer's weight `[outputs, inputs]` to its places, [`LayerPlace::weight_values`].
+    /// Writes the layer's weight `[outputs, inputs]` to its range of parameters, [`LayerPlace::weight_values`].
     pub fn pack_weight(&self, weight: &[f32], parameters: &mut [f32]) {
         let first = self.weight_values().start;
         for (at, &weight) in weight.iter().enumerate() {
@@ -65,7 +65,7 @@ pub fn packed_len(network: &Network) -> usize {
     4 * vectors as usize
 }
 
-/// A network's parameters, four values a vector.  Outputs past a layer's last are zero, and nothing reads them.
+/// A network's parameters, four values a vector. Outputs past a layer's last are zero, and nothing reads them.
 pub fn pack_network(network: &Network) -> Vec<f32> {
     let mut parameters = vec![0.0; packed_len(network)];
     for (layer, place) in network.layers.iter().zip(LayerPlace::from_network(network)) {

@@ -15,7 +15,7 @@
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UploadOptions {
-    /// Both hash grids in half precision: half their memory.  Each feature is off by up to 2^-11 of the largest entry
-    /// around it.  Refused if a value is above 65,504.
+    /// Both hash grids in half precision: half their memory. The error of a feature is at most 2^-11 of the largest entry
+    /// around it. A scene with a value above 65,504 is refused.
     pub half_grids: bool,
 }

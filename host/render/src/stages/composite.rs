@@ -29,7 +29,8 @@ pub struct TileContext<'a> {
     pub color: &'a Buffer<f32>,
 }
 
-/// Another scene's pairs of a part, with their T of all scenes and their colors.
+/// The pairs of another scene that is [shown with](DeviceScene::put) the first one, for a part's tiles. T is the product over the fields
+/// of all scenes.
 #[derive(Debug)]
 pub struct Layer {
     pub bins: TileBins,
@@ -63,7 +64,7 @@ pub struct Composite {
 }
 
 impl Composite {
-    /// Eq. 12 and 13, of one scene or several. The splats are the first one's.
+    /// Eq. 12 and 13, of one scene or several. [`Self::splat`] has the first scene's splats.
     pub fn new(contexts: &[TileContext<'_>], background: [f64; 3]) -> Result<Self> {
         let TileContext { scene, bins, color, .. } = contexts[0];
         let device = scene.device();
@@ -84,8 +85,7 @@ impl Composite {
         Ok(Self { sum, image, splat })
     }
 
-    /// The derivative of a loss by the splats `[pairs, 3]`, of dL/dY `[tiles, 3, S, S]`: see
-    /// [`splat_backward`](organza_shaders::splat).
+    /// The gradient of the splats, `[pairs, 3]`, given dL/dY `[tiles, 3, S, S]`: see [`splat_backward`](organza_shaders::splat).
     pub fn backward(
         &self,
         context: TileContext<'_>,

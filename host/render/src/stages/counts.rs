@@ -1,4 +1,7 @@
-//! How many pairs, intersections and samples a part has, as numbers that stay on the device.
+//! The numbers of pairs, intersections and samples of a part, which can stay on the device.
+//!
+//! A kernel that declares `counts(pairs)` has a parameter `pairs` that the device fills in: `kernel.counted(&count)` binds a [`Count`],
+//! which is known to the host or an index into the buffer of counts. The dispatch has invocations for the count's upper bound.
 
 use std::sync::Arc;
 
@@ -25,7 +28,7 @@ pub struct Capacity {
 }
 
 impl Capacity {
-    /// What a part needed, from the values of `PartCounts::counts`; none if that was more than it had: it is empty.
+    /// What a part needed, from the values of `PartCounts::counts`. `None` if that was more than it had room for: then it is empty.
     pub fn needed(counts: &[u32]) -> Option<Self> {
         let [pairs, intersections, samples] =
             [PAIRS, INTERSECTIONS, SAMPLES].map(|slot| counts[slot as usize]);
@@ -68,31 +71,31 @@ pub const NO_COUNTS: [u32; COUNTS as usize] = {
     counts
 };
 
-/// Numbers that stay on the device: see [`organza_shaders::count`].
+/// Counts that stay on the device: see [`organza_shaders::count`].
 #[derive(Clone, Debug)]
 pub struct PartCounts {
-    /// `[capacities, COUNTS]`: [`Capacity::needed`] reads the values of the first one. All share its [`OVERFLOW`].
+    /// `[capacities, COUNTS]`: [`Capacity::needed`] reads the first row. All rows share its [`OVERFLOW`].
     pub counts: Arc<Buffer<u32>>,
     /// The room for the numbers.
     capacities: Vec<Capacity>,
-    /// Index of the numbers that these are.
+    /// The row of these numbers.
     index: usize,
 }
 
 impl PartCounts {
-    /// No counts yet: those of a scene alone, or of [all](crate::DeviceScene::all), where each scene is followed by the samples in
-    /// the others' fields.
+    /// Zeros, with a row for each capacity: one for a scene alone. With [several](crate::DeviceScene::all) scenes, each scene's row is
+    /// followed by rows for its samples in the others' fields.
     pub fn new(device: &Device, capacities: Vec<Capacity>) -> Result<Self> {
         let counts = device.zeros("counts", COUNTS as usize * capacities.len())?;
         Ok(Self { counts: Arc::new(counts), capacities, index: 0 })
     }
 
-    /// Those of a scene alone, in a buffer of [`NO_COUNTS`]. If a part before has raised [`OVERFLOW`] there, this one is empty, too.
+    /// The counts of a scene alone, in a buffer of [`NO_COUNTS`]. If an earlier part has raised [`OVERFLOW`] there, this one is empty, too.
     pub fn with(counts: Arc<Buffer<u32>>, capacity: Capacity) -> Self {
         Self { counts, capacities: vec![capacity], index: 0 }
     }
 
-    /// The numbers that come this many after these.
+    /// The counts in a later row.
     pub fn after(&self, number: usize) -> Self {
         Self { index: self.index + number, ..self.clone() }
     }
@@ -128,7 +131,7 @@ impl PartCounts {
         Ok(())
     }
 
-    /// Raises [`OVERFLOW`] if a loss is not finite, by the sums of its rows. Then the backward pass finds no pairs.
+    /// Raises [`OVERFLOW`] if a sum of the loss's rows is not finite. Then the backward pass finds no pairs.
     pub fn check_loss(
         &self,
         device: &Device,
@@ -141,7 +144,7 @@ impl PartCounts {
         self.clear_on_overflow(device, &[pair_mask], &[])
     }
 
-    /// `items`; none if a part has failed.
+    /// A count of `items`, or of none if a part has failed.
     pub fn unless_failed(&self, items: u32) -> Count {
         Count::on_device(&self.counts, ALL, items)
     }

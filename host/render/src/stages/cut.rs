@@ -8,9 +8,9 @@ use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Error, Result};
 use organza_core::tile::{Tile, TileBatch};
 
-/// Default memory of one part's tables, in bytes, where a device has little. Parts of this size keep a CPU busy.
+/// Bytes of one part's tables, unless a GPU's share is more. Parts of this size keep a CPU busy.
 pub const PART_BYTES: u64 = 512 << 20;
-/// The share of a GPU's memory for these tables: what a part has beside them takes about eight times as much.
+/// The share of a GPU's memory for these tables. A part's other buffers take about eight times as much.
 pub const PART_SHARES: u64 = 16;
 
 /// One part of a batch: tiles ordered by camera.
@@ -25,7 +25,7 @@ pub struct PartTiles {
 pub struct PartTile {
     pub tile: Tile,
     pub place: usize,
-    /// The number of its view batch, ascending with the camera.
+    /// The number of its [view batch](crate::pass::batch), ascending with the camera.
     pub view: usize,
 }
 
@@ -87,7 +87,7 @@ impl PartTiles {
         (self.side * self.side) as usize
     }
 
-    /// The cameras of the part, ascending: their places are the kernels' camera slots.
+    /// The cameras of the part, ascending. Kernels number them in this order.
     pub fn cameras(&self) -> Vec<usize> {
         let mut cameras: Vec<_> = self.tiles.iter().map(|tile| tile.tile.camera).collect();
         cameras.dedup();

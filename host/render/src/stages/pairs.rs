@@ -16,7 +16,7 @@ use muslin_device::{Buffer, Count, Device, Result};
 #[derive(Debug)]
 pub struct Pairs {
     pub count: Count,
-    /// `camera slot * gaussians + gaussian`, ascending.
+    /// The slot of each pair, `camera * gaussians + gaussian`, ascending.
     pub pair: Buffer<u32>,
     /// Packed cameras.
     pub camera: Buffer<f32>,
@@ -38,7 +38,7 @@ impl Pairs {
         }
     }
 
-    /// Where chunks must end. With `keep`, at the end of each camera's pairs, because gradients are summed view by view.
+    /// Where chunks must end. With `keep`, at the end of each camera's pairs, because gradients are summed camera by camera.
     pub fn chunk_ends(&self, keep: bool) -> &[u32] {
         if keep { &self.view_ends } else { &[] }
     }
@@ -66,7 +66,7 @@ pub fn pair_mask(
     Mask::new(device, mask, &count)
 }
 
-/// The pairs `[pairs]`, ascending.
+/// The slots of the pairs, `[pairs]`, ascending.
 pub fn fill_pairs(scene: &DeviceScene, pair_mask: &Mask, count: &Count) -> Result<Buffer<u32>> {
     let device = scene.device();
     let words = words(scene.gaussians);

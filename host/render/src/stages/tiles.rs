@@ -21,7 +21,7 @@ pub struct TileBins {
     pub pairs: Pairs,
     /// Side of a tile, in pixels.
     pub side: u32,
-    /// The cameras' places in the list that the batch's tiles name them by.
+    /// The part's cameras, as indices into the batch's list.
     pub cameras: Vec<u32>,
     pub tiles: u32,
     pub tile: Buffer<i32>,
@@ -39,7 +39,7 @@ pub struct TileBins {
     pub intersections: Count,
     /// Intersections of the fullest tile, or more.
     pub largest: u32,
-    /// Where the host does not know how many there are.
+    /// The counts on the device, if the host has not waited for them.
     pub part_counts: Option<PartCounts>,
     /// Gaussians that could not be projected.
     pub degenerate: Buffer<u32>,
@@ -146,8 +146,8 @@ impl TileBins {
         })
     }
 
-    /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`: in this scene's field, or in
-    /// another one, by the index of its [counts](PartCounts::after).
+    /// The number of samples, the last value of `first_sample [pairs + 1]`. `field` is the index of the scene whose field has them, in the
+    /// [counts](PartCounts::after): 0 is this scene.
     pub fn count_samples(
         &self,
         device: &Device,

@@ -42,7 +42,7 @@ pub struct Transmittance {
 }
 
 impl Transmittance {
-    /// Evaluates T for [`segments`] of `samples` samples in all. With `keep`, the inputs of [`Transmittance::backward`] stay in
+    /// Evaluates T for segments of `samples` samples in all. With `keep`, the inputs of [`Transmittance::backward`] stay in
     /// memory, as far as they fit.
     pub fn evaluate(
         scene: &DeviceScene,
@@ -83,8 +83,8 @@ impl Transmittance {
         Ok(Self { transmittance, first_sample, samples, power, segment, blocks })
     }
 
-    /// Multiplies by T of the scenes that are [shown with](DeviceScene::put) this one. Returns the number of their samples. `pairs` are
-    /// some of `bins`.
+    /// Multiplies by T of the scenes that are [shown with](DeviceScene::put) this one. Returns the number of samples in their fields.
+    /// `pairs` are the pairs of `bins`, or some of them.
     pub fn attenuate(
         &self,
         scene: &DeviceScene,
@@ -352,7 +352,7 @@ struct Owners<'a> {
 }
 
 impl Owners<'_> {
-    /// First and number of the pairs with samples in a chunk. If the host does not know them, all pairs.
+    /// The first pair with samples in a chunk, and how many there are. All pairs, if the host does not know them.
     fn of_chunk(&self, chunk: &Chunks<'_>) -> (u32, Count) {
         let Some(first) = &self.first else { return (0, self.all.clone()) };
         let begin = first.partition_point(|&begin| begin <= chunk.first()) as u32 - 1;

@@ -17,7 +17,7 @@ use crate::stages::cut::words;
 use crate::stages::tiles::TileBins;
 use muslin_device::{Buffer, Device, Result};
 
-/// What the backward pass of a field reads, and where it adds.
+/// The backward pass of a field: what it reads, and the sums that it adds to.
 #[derive(Clone, Copy)]
 pub struct FieldBackward<'a> {
     pub scene: &'a DeviceScene,
@@ -116,7 +116,7 @@ impl FieldBackward<'_> {
     }
 
     /// Backpropagates `scratch.logit_gradient` through all layers of a chunk. Adds to the gradient sums of the network's
-    /// parameters. Writes the gradients of its inputs to `of_inputs`, from the grid's first row on.
+    /// parameters. Writes the gradients of its inputs to `input_gradient`, from the grid's first row on.
     fn layers(
         &self,
         scratch: &ChunkScratch,

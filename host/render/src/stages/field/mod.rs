@@ -13,7 +13,7 @@ use self::samples::{Blocks, Chunks, Layout, ROWS_OF_POINT};
 use crate::scene::field::DeviceField;
 use muslin_device::{Buffer, Device, Result};
 
-/// What a field reads.
+/// The inputs of a field.
 #[derive(Clone, Copy)]
 pub struct Inputs<'a> {
     pub blocks: &'a Blocks,

@@ -1,10 +1,13 @@
 //! The samples of a field, in blocks: what its hash grid and its network read.
 //!
-//! A grid is evaluated level by level for a whole block, so that a level's entries are read from memory once for many
-//! samples. A network is evaluated chunk by chunk, so that a chunk's activations stay in a CPU's caches.
+//! From large to small:
 //!
-//! The gradients of networks are summed slice by slice, and a slice has samples of one camera. A CPU adds several samples
-//! of a slice at once, so there a chunk is one slice, and ends where its camera's samples do.
+//! - A **block** is what the hash grid takes at once, level by level: so a level's entries are read from memory once for many samples.
+//! - A **group** has the chunks of a block whose gradients are added to the hash grid together.
+//! - A **span** has neighboring chunks that are all full, except for the last one: one dispatch of the hash grid's kernels.
+//! - A **chunk** is what the network takes at once: so its activations stay in a CPU's caches. On a GPU, a block is one chunk.
+//! - A **slice** has samples of one camera, whose gradients of the network are summed in f32. A CPU adds several samples of a slice at
+//!   once: there, a chunk is one slice, and ends where its camera's samples end.
 
 use std::ops::Range;
 
@@ -20,14 +23,15 @@ const BLOCK: u32 = 1 << 17;
 const GROUP: u32 = 1 << 14;
 /// Samples of a chunk on a CPU. With gradients, a chunk has about 300 rows, which fit into the L2 cache.
 const CPU_CHUNK: u32 = 1 << 11;
-/// Samples of a chunk on a GPU, which is a block: enough to fill it, and more of them if there are many, for few dispatches.
+/// Smallest and largest number of samples of a chunk on a GPU. A chunk fills the GPU, and is larger if there are many samples, so that there
+/// are few dispatches.
 const GPU_CHUNKS: [u32; 2] = [BLOCK, 1 << 20];
 /// Rows of the widest table of a chunk.
 const MAX_ROWS: u32 = if MAX_INPUTS > MAX_HIDDEN_WIDTH { MAX_INPUTS } else { MAX_HIDDEN_WIDTH };
-/// Samples of a slice on a GPU: a chunk has enough of them to fill it.
+/// Samples of a slice on a GPU: a chunk has enough slices to fill it.
 const GPU_SLICE: u32 = 1 << 8;
-/// Bytes for a field's blocks that are kept for the backward pass, at least, and the share of a GPU's memory. The backward pass
-/// computes all other blocks again.
+/// Bytes of a field's blocks that are kept for the backward pass: this many, or this share of a GPU's memory if that is more. The backward
+/// pass computes all other blocks again.
 const KEPT_BYTES: u64 = 256 << 20;
 const KEPT_SHARES: u64 = 8;
 /// Rows of a point: its position, and one more for the stage.
@@ -41,27 +45,27 @@ const _: () = assert!(CPU_CHUNK <= MAX_SLICE && GPU_SLICE <= MAX_SLICE);
 /// How samples lie in memory: `[chunks, rows, stride]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
-    /// The most samples of a chunk.
+    /// Largest number of samples of a chunk.
     pub chunk: u32,
     /// Distance between two rows of a chunk, in values.
     pub stride: u32,
-    /// The most chunks of a block.
+    /// Largest number of chunks of a block.
     chunks: u32,
-    /// The most chunks of a group.
+    /// Largest number of chunks of a group.
     pub group: u32,
-    /// The most samples of a slice.
+    /// Largest number of samples of a slice.
     pub slice: u32,
 }
 
 impl Layout {
-    /// The layout for pieces of at most `largest` samples.
+    /// The layout, if at most `largest` samples lie between two places where chunks must end.
     fn new(device: &Device, largest: u32) -> Self {
         let [max, slice] = match device.is_cpu_like() {
             true => [CPU_CHUNK, CPU_CHUNK],
             false => [gpu_chunk(largest, device.max_buffer_bytes()), GPU_SLICE],
         };
         let chunk = largest.clamp(1, max).next_multiple_of(ALIGNED);
-        // not a power of two: rows would fall into the same sets of a cache
+        // not a power of two: rows would share the sets of a cache
         let stride = chunk + ALIGNED;
         let chunks = (BLOCK / chunk).max(1);
         // enough for every thread
@@ -75,7 +79,7 @@ impl Layout {
     }
 }
 
-/// The most samples of a chunk on a GPU: about an eighth of all, whose tables fit a binding.
+/// Largest number of samples of a chunk on a GPU: about an eighth of all, if its tables fit a binding.
 fn gpu_chunk(samples: u32, max_buffer_bytes: u64) -> u32 {
     let [min, max] = GPU_CHUNKS;
     let row_bytes = max_buffer_bytes / u64::from(MAX_ROWS);
@@ -107,7 +111,7 @@ pub struct Blocks {
     blocks: Vec<Block>,
 }
 
-/// A range of chunks in the current block: all chunks, a group, a piece, or one chunk.
+/// A range of chunks in the current block: all chunks, a group, a span, or one chunk.
 #[derive(Clone, Debug)]
 pub struct Chunks<'a> {
     pub all: &'a Blocks,
@@ -126,7 +130,7 @@ impl Blocks {
     /// Memory for `count` samples with `rows` rows of network input. With `keep`, as many blocks as fit into [`KEPT_BYTES`],
     /// or a GPU's share, have memory of their own.
     ///
-    /// Chunks must end at each of the `ends`, which ascend to the number of samples. If it is empty, chunks may end anywhere.
+    /// A chunk ends at each of the `ends`, which ascend to the number of samples. Without `ends`, chunks may end anywhere.
     pub fn new(
         device: &Device,
         rows: usize,

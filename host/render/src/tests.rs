@@ -2,9 +2,10 @@
 
 mod tape;
 
+use crate::pass::batch::BatchPart;
 use crate::pass::part::Part;
 use crate::stages::counts::PartCounts;
-use crate::stages::cut::{PART_BYTES, PartTiles};
+use crate::stages::cut::PartTiles;
 use crate::{
     Capacity, DeviceScene, LossTarget, MODULES, Renderer, SceneGradient, TileImages, TileLoss,
 };
@@ -91,9 +92,9 @@ fn predicted_capacities_keep_the_bits() {
         let renderer = Renderer::new(device);
         let device = renderer.device();
         let scene = renderer.upload(&scene).expect("a scene");
-        let parts = PartTiles::split(&scene, &tiles(), PART_BYTES).expect("parts");
-        assert_eq!(parts.len(), 1);
-        let (expected, needed) = evaluate(&scene, &cameras, &parts[0], None);
+        let parts = renderer.pass(&scene, &cameras).cut(&tiles()).expect("parts").list;
+        let [BatchPart { part_tiles, .. }] = &parts[..] else { panic!("{} parts", parts.len()) };
+        let (expected, needed) = evaluate(&scene, &cameras, part_tiles, None);
         let Some(capacity) = needed else { panic!("there is capacity for all") };
         let Capacity { pairs, intersections, samples } = capacity;
         assert!(pairs > 100 && intersections > pairs && samples > 2 * pairs, "{capacity:?}");
@@ -102,7 +103,7 @@ fn predicted_capacities_keep_the_bits() {
         let more =
             Capacity { pairs: pairs * 2, intersections: intersections + 100, samples: samples * 3 };
         for capacity in [capacity, more] {
-            let (found, told) = evaluate(&scene, &cameras, &parts[0], Some(capacity));
+            let (found, told) = evaluate(&scene, &cameras, part_tiles, Some(capacity));
             assert_eq!(told, needed, "{}", device.choice());
             for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
                 assert!(found == expected, "{}: value {index}, {capacity:?}", device.choice());
@@ -118,7 +119,7 @@ fn predicted_capacities_keep_the_bits() {
             Capacity { intersections, ..more },
             Capacity { samples, ..more },
         ] {
-            let (found, told) = evaluate(&scene, &cameras, &parts[0], Some(capacity));
+            let (found, told) = evaluate(&scene, &cameras, part_tiles, Some(capacity));
             assert_eq!(told, None, "{}: {capacity:?}", device.choice());
             let planes = found[0].chunks(16 * 16).zip(background.into_iter().cycle());
             for (plane, value) in planes {

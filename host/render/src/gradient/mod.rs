@@ -229,8 +229,8 @@ impl SceneGradient {
             field.table.finish(device)?;
             field.network.finish(device)?;
         }
-        let photographs = self.poses.iter().chain(&self.exposures);
-        Ok(photographs.into_iter().try_for_each(|values| values.finish(device))?)
+        let mut per_photograph = self.poses.iter().chain(&self.exposures);
+        Ok(per_photograph.try_for_each(|values| values.finish(device))?)
     }
 
     /// Remembers the statistics before a step, for [`Self::rollback`].

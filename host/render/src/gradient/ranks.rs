@@ -48,8 +48,8 @@ impl<'a> SharedSums<'a> {
     fn read(device: &Device, buffer: &'a Buffer<u32>, touched: Option<Vec<u32>>) -> Result<Self> {
         let values: Vec<i64> = bytemuck::pod_collect_to_vec(&device.read(buffer)?);
         let blocks = values.chunks(VALUES_PER_FLAG as usize);
-        let look = || blocks.map(|block| u32::from(block.iter().any(|&sum| sum != 0))).collect();
-        let touched = touched.unwrap_or_else(look);
+        let find = || blocks.map(|block| u32::from(block.iter().any(|&sum| sum != 0))).collect();
+        let touched = touched.unwrap_or_else(find);
         Ok(Self { buffer, values, touched })
     }
 

@@ -55,13 +55,14 @@ impl LossSource<'_> {
         &mut self,
         device: &Device,
         part_tiles: &PartTiles,
-        (bins, is_queued): (&TileBins, bool),
+        bins: &TileBins,
+        is_queued: bool,
         rendered: &Buffer<f32>,
         into: &SceneGradient,
     ) -> Result<Buffer<f32>> {
         match self {
             Self::Compared(comparison) => {
-                comparison.backward(device, part_tiles, (bins, is_queued), rendered, into)
+                comparison.backward(device, part_tiles, bins, is_queued, rendered, into)
             }
             Self::Given(d_tiles) => {
                 let values = values_of_tiles(d_tiles, &part_tiles.places(), 3 * part_tiles.area());
@@ -105,7 +106,8 @@ impl<'a> Comparison<'a> {
         &mut self,
         device: &Device,
         part_tiles: &PartTiles,
-        (bins, is_queued): (&TileBins, bool),
+        bins: &TileBins,
+        is_queued: bool,
         rendered: &Buffer<f32>,
         into: &SceneGradient,
     ) -> Result<Buffer<f32>> {

@@ -240,7 +240,7 @@ impl LossInputs<'_> {
             return Ok(tiles as u32);
         }
         argument(format!(
-            "{image} values of an image, {target} of its target and {pixels} of the mask are not those of tiles of \
+            "{image} values of an image, {target} of its target and {pixels} of the mask do not make tiles of \
              side {side}"
         ))
     }

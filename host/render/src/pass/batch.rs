@@ -123,8 +123,8 @@ impl BatchPart {
         self.d_splats = None;
     }
 
-    /// Keeps the part, which was read, if there is room for it.
-    fn keep(&mut self, room: &mut u64) {
+    /// After the part was read: keeps it if there is room, and releases it otherwise.
+    fn keep_or_release(&mut self, room: &mut u64) {
         let needed = self.needed.expect("it was read");
         let takes = u64::from(needed.pairs) + u64::from(needed.samples);
         if !self.is_kept && takes <= *room {
@@ -177,7 +177,7 @@ impl<'a> Pass<'a> {
             match self.read_tiles(at, keep, output) {
                 Ok(false) => {}
                 Ok(true) => {
-                    at.keep(&mut parts.room);
+                    at.keep_or_release(&mut parts.room);
                     done += at.part_tiles.tiles.len();
                     progress(done);
                     index += 1;
@@ -195,29 +195,33 @@ impl<'a> Pass<'a> {
         let (buffers, sums) = output.buffers(&contexts, &part.composite)?;
         let scenes = contexts.len();
         let Some((words, needed)) = self.read(at, buffers)? else { return Ok(false) };
-        output.take(self.device(), &at.part_tiles, (scenes, sums), words, needed)?;
+        output.take(self.device(), &at.part_tiles, scenes, sums, words, needed)?;
         Ok(true)
     }
 
     /// The part, which is rendered unless it was kept.
     fn evaluate<'p>(&self, at: &'p mut BatchPart, keep: bool) -> Result<&'p Part> {
         if at.part.is_none() {
-            let is_alone = self.scene.beside.is_empty();
-            let predicts = self.device().has_indirect_counts() && !at.waits && is_alone;
             at.is_for_gradients = keep;
-            let predicted = || self.renderer.predictor().predict(self.kind(at), self.size(at));
-            let capacity = if predicts { at.needed.or_else(predicted) } else { None };
-            let counts = |capacity| -> Result<PartCounts> {
-                let counts = match self.queued {
-                    Some(counts) => counts.clone(),
-                    None => Arc::new(self.device().upload("counts", &NO_COUNTS)?),
-                };
-                Ok(PartCounts::with(counts, capacity))
-            };
-            let counts = capacity.map(counts).transpose()?;
+            let counts = self.part_counts(at)?;
             at.part = Some(Part::evaluate(self.scene, self.cameras, &at.part_tiles, keep, counts)?);
         }
         Ok(at.part.as_ref().expect("it was just made"))
+    }
+
+    /// Counts on the device, with room for what the part is known or predicted to need. `None` where the host must wait for the counts.
+    fn part_counts(&self, at: &BatchPart) -> Result<Option<PartCounts>> {
+        let is_one_scene = self.scene.beside.is_empty();
+        if !self.device().has_indirect_counts() || at.waits || !is_one_scene {
+            return Ok(None);
+        }
+        let predicted = || self.renderer.predictor().predict(self.kind(at), self.size(at));
+        let Some(capacity) = at.needed.or_else(predicted) else { return Ok(None) };
+        let counts = match self.queued {
+            Some(counts) => counts.clone(),
+            None => Arc::new(self.device().upload("counts", &NO_COUNTS)?),
+        };
+        Ok(Some(PartCounts::with(counts, capacity)))
     }
 
     fn kind(&self, at: &BatchPart) -> BatchKind {
@@ -310,16 +314,16 @@ impl<'a> Pass<'a> {
     ) -> Result<Option<(BatchKind, [u32; 2])>> {
         let [at] = &mut parts.list[..] else { return Ok(None) };
         at.is_for_gradients = true;
-        let found = (self.kind(at), self.size(at));
-        let is_predicted = self.renderer.predictor().predict(found.0, found.1).is_some();
-        if !is_predicted {
+        let kind = self.kind(at);
+        let size = self.size(at);
+        if self.renderer.predictor().predict(kind, size).is_none() {
             return Ok(None);
         }
         into.snapshot(self.device());
         let splats = self.backward_to_splats(parts, loss, into);
         let tensors = splats.and_then(|()| self.backward_to_tensors(parts, loss, into));
         tensors.inspect_err(|_| into.rollback(self.device()))?;
-        Ok(Some(found))
+        Ok(Some((kind, size)))
     }
 
     /// Whether a batch has one part, whose counts the host need not know.
@@ -340,9 +344,10 @@ impl<'a> Pass<'a> {
         while let Some(at) = parts.list.get_mut(index) {
             self.evaluate(at, true)?;
             let part = at.part.as_ref().expect("it was evaluated");
-            let bins = (&part.bins, self.queued.is_some());
             let image = &part.composite.image;
-            let d_tiles = loss.backward(device, &at.part_tiles, bins, image, into)?;
+            let is_queued = self.queued.is_some();
+            let d_tiles =
+                loss.backward(device, &at.part_tiles, &part.bins, is_queued, image, into)?;
             let d_splats = device.run_in_pool(|| {
                 let context = part.context(self.scene);
                 let d_splats = part.composite.backward(context, &d_tiles)?;
@@ -354,7 +359,7 @@ impl<'a> Pass<'a> {
             if !is_alone {
                 let Some((words, _)) = self.read(at, loss.buffers())? else { continue };
                 loss.take(&at.part_tiles, &words);
-                at.keep(&mut parts.room);
+                at.keep_or_release(&mut parts.room);
             }
             index += 1;
         }
@@ -386,7 +391,7 @@ impl<'a> Pass<'a> {
                 let d_splats = match at.d_splats.take() {
                     Some(d_splats) => d_splats,
                     None => {
-                        let d_tiles = at.d_tiles.as_ref().expect("of the first pass");
+                        let d_tiles = at.d_tiles.as_ref().expect("`backward_to_splats` has set it");
                         part.composite.backward(part.context(self.scene), d_tiles)?
                     }
                 };
@@ -476,12 +481,12 @@ impl<'a> Pass<'a> {
         loop {
             // the next batch will not fit, either
             let bytes = self.renderer.halve_part_bytes();
-            let mut pieces = Vec::new();
+            let mut smaller = Vec::new();
             for BatchPart { part_tiles, .. } in &parts.list[range.clone()] {
-                pieces.extend(cut(self.scene, part_tiles.side, &part_tiles.tiles, bytes)?);
+                smaller.extend(cut(self.scene, part_tiles.side, &part_tiles.tiles, bytes)?);
             }
-            if pieces.len() > range.len() {
-                parts.list.splice(range, pieces.into_iter().map(BatchPart::new));
+            if smaller.len() > range.len() {
+                parts.list.splice(range, smaller.into_iter().map(BatchPart::new));
                 return Ok(());
             }
         }

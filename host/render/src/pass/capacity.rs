@@ -4,9 +4,9 @@ use std::collections::{HashMap, VecDeque};
 
 use crate::stages::counts::Capacity;
 
-/// Batches that a prediction takes into account.
-const BATCHES: usize = 16;
-/// Extra capacity, as a fraction of the largest number that one of them needed.
+/// Parts that a prediction takes into account.
+const PARTS: usize = 16;
+/// Extra capacity, as a fraction of the largest number that one of these parts needed.
 const MARGIN: f64 = 0.125;
 /// Extra capacity that does not depend on earlier parts.
 const MIN_CAPACITY: f64 = 1024.0;
@@ -32,7 +32,7 @@ impl CapacityPredictor {
     /// Records what a part with these numbers of tiles and Gaussians has needed.
     pub fn observe(&mut self, kind: BatchKind, [tiles, gaussians]: [u32; 2], needed: Capacity) {
         let seen = self.0.entry(kind).or_default();
-        seen.truncate(BATCHES - 1);
+        seen.truncate(PARTS - 1);
         let Capacity { pairs, intersections, samples } = needed;
         let size = f64::from(tiles) * f64::from(gaussians);
         seen.push_front([pairs, intersections, samples].map(|number| f64::from(number) / size));
@@ -79,11 +79,11 @@ mod tests {
     }
 
     #[test]
-    fn room_is_for_the_most_that_was_seen_lately() {
+    fn the_capacity_is_for_the_largest_of_recent_parts() {
         let mut predictor = CapacityPredictor::default();
         assert_eq!(predictor.predict(KIND, [4, 100]), None);
         predictor.observe(KIND, [4, 100], needed(80_000));
-        for _ in 0..BATCHES - 1 {
+        for _ in 0..PARTS - 1 {
             predictor.observe(KIND, [4, 100], needed(8_000));
         }
         let capacity = predictor.predict(KIND, [8, 100]).expect("seen");

@@ -41,7 +41,8 @@ impl Output<'_> {
         &mut self,
         device: &Device,
         part_tiles: &PartTiles,
-        (scenes, sums): (usize, Option<ChannelSums>),
+        scenes: usize,
+        sums: Option<ChannelSums>,
         mut words: Vec<Vec<u32>>,
         needed: Capacity,
     ) -> Result<()> {

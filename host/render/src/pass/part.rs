@@ -8,12 +8,12 @@ use crate::gradient::SceneGradient;
 use crate::gradient::ranks::Rows;
 use crate::scene::device_scene::DeviceScene;
 use crate::stages::color::Color;
-use crate::stages::composite::{Composite, Layer, TileContext};
+use crate::stages::composite::{Composite, OtherScene, TileContext};
 use crate::stages::counts::{Capacity, PartCounts};
 use crate::stages::cut::PartTiles;
 use crate::stages::project::{pose_backward, project, project_backward};
 use crate::stages::tiles::TileBins;
-use crate::stages::transmittance::{Transmittance, segments};
+use crate::stages::transmittance::{Segments, Transmittance};
 use muslin_device::Buffer;
 use organza_core::{Camera, Result};
 
@@ -25,8 +25,8 @@ pub struct Part {
     pub color: Color,
     pub composite: Composite,
     /// What the scenes that are [shown with](DeviceScene::put) this one add.
-    pub beside: Vec<Layer>,
-    /// The capacity that the part has; what it needs, if the host knows that.
+    pub beside: Vec<OtherScene>,
+    /// The room that the part's tables have. It is exactly what the part needs, if the host has waited for the counts.
     pub capacity: Capacity,
 }
 
@@ -41,8 +41,8 @@ fn stages(
     let device = scene.device();
     let projection = project(device, scene, cameras, &part_tiles.windows())?;
     let bins = TileBins::new(scene, part_tiles, projection, counts)?;
-    let segments = segments(scene, &bins.pairs)?;
-    let samples = bins.count_samples(device, 0, &segments.1)?;
+    let segments = Segments::new(scene, &bins.pairs)?;
+    let samples = bins.count_samples(device, 0, &segments.first_sample)?;
     let transmittance = Transmittance::evaluate(scene, &bins.pairs, segments, samples, keep)?;
     let others_samples = transmittance.attenuate(scene, cameras, &bins.pairs, &bins)?;
     let color = Color::evaluate(scene, &bins.pairs, keep)?;
@@ -77,7 +77,8 @@ impl Part {
                 let counts = bins.part_counts.as_ref().map(|counts| counts.after(index * scenes));
                 let (bins, own, color, needed) = stages(other, &used, part_tiles, false, counts)?;
                 capacity = capacity.plus(needed);
-                beside.push(Layer { bins, transmittance: own.transmittance, color: color.color });
+                let transmittance = own.transmittance;
+                beside.push(OtherScene { bins, transmittance, color: color.color });
             }
             let own = &transmittance.transmittance;
             let context =

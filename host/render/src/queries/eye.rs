@@ -12,13 +12,13 @@ use rayon::prelude::*;
 use crate::pass::output::Output;
 use crate::pass::renderer::Renderer;
 use crate::stages::color::Color;
-use crate::stages::composite::{Composite, Layer, TileContext};
+use crate::stages::composite::{Composite, OtherScene, TileContext};
 use crate::stages::cut::PartTiles;
 use crate::stages::pairs::Pairs;
 use crate::stages::project::project;
 use crate::stages::scan::total;
 use crate::stages::tiles::TileBins;
-use crate::stages::transmittance::{Transmittance, segments};
+use crate::stages::transmittance::{Segments, Transmittance};
 use crate::{Capacity, DeviceScene};
 use muslin_device::{Buffer, Count, Device, memory};
 use organza_core::{Camera, Channel, RenderedTiles, Result, TileBatch};
@@ -173,8 +173,8 @@ impl EyeCache {
                 return Ok(None);
             }
             let pairs = pairs_of(device, bins, some)?;
-            let segments = segments(scene, &pairs)?;
-            let count = total(device, &segments.1)?;
+            let segments = Segments::new(scene, &pairs)?;
+            let count = total(device, &segments.first_sample)?;
             let evaluated = Transmittance::evaluate(scene, &pairs, segments, count, false)?;
             samples += evaluated.samples.upper_bound();
             samples += evaluated.attenuate(scene, &[camera], &pairs, bins)?;
@@ -208,14 +208,14 @@ impl EyeCache {
         Ok((transmittance, device.upload("color", color.as_flattened())?))
     }
 
-    /// A scene's layer in the tiles of a part, and what it needs; `None` if cancelled.
-    fn layer(
+    /// A scene's pairs in the tiles of a part, and the room that they need; `None` if cancelled.
+    fn evaluate(
         &mut self,
         scene: &DeviceScene,
         camera: &Camera,
         part_tiles: &PartTiles,
         options: &EyeOptions<'_>,
-    ) -> Result<Option<(Layer, Capacity)>> {
+    ) -> Result<Option<(OtherScene, Capacity)>> {
         let device = scene.device();
         let projection = project(device, scene, &[camera], &part_tiles.windows())?;
         let bins = TileBins::new(scene, part_tiles, projection, None)?;
@@ -228,7 +228,7 @@ impl EyeCache {
         let (transmittance, color) = self.gather(device, &gaussians)?;
         let pairs = gaussians.len() as u32;
         let needed = Capacity { pairs, intersections: bins.intersections.upper_bound(), samples };
-        Ok(Some((Layer { bins, transmittance, color }, needed)))
+        Ok(Some((OtherScene { bins, transmittance, color }, needed)))
     }
 
     fn render(
@@ -240,23 +240,23 @@ impl EyeCache {
         tiles: &mut RenderedTiles,
     ) -> Result<bool> {
         let device = scene.device();
-        let own = self.layer(scene, camera, part_tiles, options)?;
+        let own = self.evaluate(scene, camera, part_tiles, options)?;
         let Some((own, mut needed)) = own else { return Ok(false) };
         let mut beside = Vec::new();
         for (cache, other) in self.beside.iter_mut().zip(&scene.beside) {
-            let layer = cache.layer(other, camera, part_tiles, options)?;
-            let Some((layer, more)) = layer else { return Ok(false) };
+            let found = cache.evaluate(other, camera, part_tiles, options)?;
+            let Some((found, more)) = found else { return Ok(false) };
             needed = needed.plus(more);
-            beside.push(layer);
+            beside.push(found);
         }
-        let Layer { bins, transmittance, color } = &own;
+        let OtherScene { bins, transmittance, color } = &own;
         let contexts = TileContext { scene, bins, transmittance, color }.all(&beside);
         let background = options.background.unwrap_or(scene.config.background);
         let composite = Composite::new(&contexts, background)?;
         let mut output = Output::Tiles { tiles, channels: options.channels };
         let (buffers, sums) = output.buffers(&contexts, &composite)?;
         let words = device.read_all(&buffers)?;
-        output.take(device, part_tiles, (contexts.len(), sums), words, needed)?;
+        output.take(device, part_tiles, contexts.len(), sums, words, needed)?;
         Ok(true)
     }
 }
@@ -268,7 +268,7 @@ fn pairs_of(device: &Device, bins: &TileBins, gaussians: &[u32]) -> muslin_devic
         pair: device.upload("pairs", gaussians)?,
         camera: bins.pairs.camera.view(),
         projection: bins.pairs.projection.view(),
-        view_ends: Vec::new(),
+        camera_ends: Vec::new(),
     })
 }
 

@@ -1,5 +1,6 @@
 //! One frame of one camera, as a plan: the recorded commands that a page in a browser runs.
 
+use crate::pass::batch::BatchPart;
 use crate::pass::part::Part;
 use crate::scene::composition::CAMERAS;
 use crate::stages::counts::PartCounts;
@@ -7,7 +8,7 @@ use crate::stages::cut::{PartTile, PartTiles};
 use crate::stages::project::project;
 use crate::stages::scan::total;
 use crate::stages::tiles::TileBins;
-use crate::stages::transmittance::segments;
+use crate::stages::transmittance::Segments;
 use crate::{Capacity, DeviceScene, Renderer};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
 use organza_core::scene::Placement;
@@ -57,17 +58,18 @@ impl Renderer {
         let scenes = scene.all().count();
         let mut all = vec![vec![Capacity::default(); scenes * scenes]; steps.len()];
         for (index, scene) in scene.all().enumerate() {
-            for part_tiles in PartTiles::split(scene, &batch, self.part_bytes())? {
+            let cameras = std::slice::from_ref(camera);
+            for BatchPart { part_tiles, .. } in &self.pass(scene, cameras).cut(&batch)?.list {
                 let projection = project(device, scene, &[camera], &part_tiles.windows())?;
-                let bins = TileBins::new(scene, &part_tiles, projection, None)?;
+                let bins = TileBins::new(scene, part_tiles, projection, None)?;
                 let pairs = bins.pairs.count.upper_bound();
                 let intersections = bins.intersections.upper_bound();
                 for (&steps, all) in steps.iter().zip(&mut all) {
                     for (field, needed) in scene.with_fields().zip(&mut all[index * scenes..]) {
                         let field = &field.with_ray_steps(steps.into());
-                        let seen = bins.pairs.seen_by(field.cameras(&[camera])?);
-                        let (_, first_sample) = segments(field, &seen)?;
-                        let samples = total(device, &first_sample)?.upper_bound();
+                        let moved = bins.pairs.with_cameras(field.cameras(&[camera])?);
+                        let segments = Segments::new(field, &moved)?;
+                        let samples = total(device, &segments.first_sample)?.upper_bound();
                         *needed = needed.plus(Capacity { pairs, intersections, samples });
                         // a pair counts once for each part that has it, so this may be more than needed
                         needed.pairs = needed.pairs.min(scene.gaussians);
@@ -101,7 +103,7 @@ impl Renderer {
         let bins = &part.bins;
         let counts = bins.part_counts.as_ref().expect("there is a capacity").counts.planned();
         let number = |buffer: Option<u32>| buffer.expect("the device is a planner");
-        let bins = std::iter::once(bins).chain(part.beside.iter().map(|layer| &layer.bins));
+        let bins = std::iter::once(bins).chain(part.beside.iter().map(|other| &other.bins));
         let tiles = bins.map(|bins| number(bins.tile.planned())).collect();
         let image = number(part.composite.image.planned());
         let plan = device.take_plan();

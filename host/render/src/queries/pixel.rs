@@ -9,11 +9,10 @@ use serde::Serialize;
 
 use crate::pass::part::Part;
 use crate::stages::color::Color;
-use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::stages::pairs::Pairs;
 use crate::stages::project::{Projection, project};
 use crate::stages::scan::total;
-use crate::stages::transmittance::{Ray, Transmittance, segments};
+use crate::stages::transmittance::{Ray, Segments, Transmittance};
 use crate::{DeviceScene, Renderer};
 
 use muslin_device::Count;
@@ -124,7 +123,7 @@ impl Renderer {
         }
 
         let projection = device.read(&pairs.projection)?;
-        let first = device.read(&transmittance.first_sample)?;
+        let first = device.read(&transmittance.segments.first_sample)?;
         Ok(Stages {
             sh,
             color_encoding,
@@ -149,8 +148,8 @@ impl Renderer {
         let color = color.as_chunks::<3>().0.to_vec();
         Ok((color, device.read(&transmittance.transmittance)?))
     }
-    /// Pairs of all Gaussians and a camera, and their T.
 
+    /// Pairs of all Gaussians and a camera, and their T.
     fn every_pair(&self, scene: &DeviceScene, camera: &Camera) -> Result<(Pairs, Transmittance)> {
         let device = self.device();
         let projection = project(device, scene, &[camera], &[EVERYWHERE])?;
@@ -161,10 +160,10 @@ impl Renderer {
             pair: device.upload("pairs", &every)?,
             camera,
             projection,
-            view_ends: Vec::new(),
+            camera_ends: Vec::new(),
         };
-        let segments = segments(scene, &pairs)?;
-        let samples = total(device, &segments.1)?;
+        let segments = Segments::new(scene, &pairs)?;
+        let samples = total(device, &segments.first_sample)?;
         let transmittance = Transmittance::evaluate(scene, &pairs, segments, samples, false)?;
         Ok((pairs, transmittance))
     }
@@ -220,12 +219,11 @@ impl Renderer {
         }
         let device = self.device();
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
-        batch.validate(cameras)?;
-        let parts = PartTiles::split(scene, &batch, PART_BYTES)?;
-        let part = Part::evaluate(scene, cameras, &parts[0], false, None)?;
+        let parts = self.pass(scene, cameras).cut(&batch)?;
+        let part = Part::evaluate(scene, cameras, &parts.list[0].part_tiles, false, None)?;
 
         let pair = device.read(&part.bins.pairs.pair)?;
-        let first = device.read(&part.transmittance.first_sample)?;
+        let first = device.read(&part.transmittance.segments.first_sample)?;
         let transmittance = device.read(&part.transmittance.transmittance)?;
         let color = device.read(&part.color.color)?;
         let (color, _) = color.as_chunks::<3>();

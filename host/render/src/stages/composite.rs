@@ -32,17 +32,17 @@ pub struct TileContext<'a> {
 /// The pairs of another scene that is [shown with](DeviceScene::put) the first one, for a part's tiles. T is the product over the fields
 /// of all scenes.
 #[derive(Debug)]
-pub struct Layer {
+pub struct OtherScene {
     pub bins: TileBins,
     pub transmittance: Buffer<f32>,
     pub color: Buffer<f32>,
 }
 
 impl<'a> TileContext<'a> {
-    /// This scene, and the layers of those that are [shown with](DeviceScene::put) it.
-    pub fn all(self, beside: &'a [Layer]) -> Vec<Self> {
+    /// This scene, and the others that are [shown with](DeviceScene::put) it.
+    pub fn all(self, beside: &'a [OtherScene]) -> Vec<Self> {
         let others = self.scene.beside.iter().zip(beside);
-        let others = others.map(|(scene, Layer { bins, transmittance, color })| Self {
+        let others = others.map(|(scene, OtherScene { bins, transmittance, color })| Self {
             scene,
             bins,
             transmittance,

@@ -34,8 +34,8 @@ pub fn by_camera(batch: &TileBatch, max_tiles: usize) -> Vec<PartTile> {
     let tiles = batch.tiles.iter().enumerate();
     let mut tiles: Vec<_> = tiles.map(|(place, &tile)| PartTile { tile, place, view: 0 }).collect();
     tiles.sort_by_key(|tile| tile.tile.camera);
-    let of_cameras = tiles.chunk_by_mut(|a, b| a.tile.camera == b.tile.camera);
-    for (view, tiles) in of_cameras.flat_map(|tiles| tiles.chunks_mut(max_tiles)).enumerate() {
+    let by_camera = tiles.chunk_by_mut(|a, b| a.tile.camera == b.tile.camera);
+    for (view, tiles) in by_camera.flat_map(|tiles| tiles.chunks_mut(max_tiles)).enumerate() {
         tiles.iter_mut().for_each(|tile| tile.view = view);
     }
     tiles
@@ -77,11 +77,6 @@ impl PartTiles {
         self.tiles.iter().map(|tile| tile.place).collect()
     }
 
-    /// The parts of a batch.
-    pub fn split(scene: &DeviceScene, batch: &TileBatch, part_bytes: u64) -> Result<Vec<Self>> {
-        cut(scene, batch.side, &by_camera(batch, usize::MAX), part_bytes)
-    }
-
     /// Pixels of a tile.
     pub fn area(&self) -> usize {
         (self.side * self.side) as usize
@@ -96,13 +91,13 @@ impl PartTiles {
 
     /// The smallest rectangle of each camera's image that contains its tiles.
     pub fn windows(&self) -> Vec<[f32; WINDOW]> {
-        let of_camera = |tiles: &[PartTile]| {
+        let window = |tiles: &[PartTile]| {
             let origins = |axis: usize| tiles.iter().map(move |tile| tile.tile.origin[axis]);
             let low = |axis| origins(axis).min().unwrap_or(0) as f32;
             let high = |axis| origins(axis).max().unwrap_or(0) as f32 + self.side as f32;
             [low(0), low(1), high(0), high(1)]
         };
-        self.tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera).map(of_camera).collect()
+        self.tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera).map(window).collect()
     }
 
     /// The tiles as kernels read them, and the index of each camera's first tile.
@@ -110,14 +105,14 @@ impl PartTiles {
         let cameras = self.cameras();
         let mut packed = Vec::with_capacity(self.tiles.len() * KernelTile::INTEGERS);
         let mut first_tile = vec![0; cameras.len() + 1];
-        let mut slot = 0;
+        let mut camera = 0;
         for (index, part_tile) in self.tiles.iter().enumerate() {
-            if cameras[slot] != part_tile.tile.camera {
-                slot += 1;
-                first_tile[slot] = index as u32;
+            if cameras[camera] != part_tile.tile.camera {
+                camera += 1;
+                first_tile[camera] = index as u32;
             }
             let tile = KernelTile {
-                camera: slot as u32,
+                camera: camera as u32,
                 origin: part_tile.tile.origin,
                 output: index as u32,
             };

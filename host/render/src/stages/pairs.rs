@@ -23,24 +23,24 @@ pub struct Pairs {
     /// `[cameras, gaussians, 2]`
     pub projection: Buffer<Vec4>,
     /// The end of each camera's pairs on a CPU; empty on a GPU.
-    pub view_ends: Vec<u32>,
+    pub camera_ends: Vec<u32>,
 }
 
 impl Pairs {
-    /// The same pairs, of packed cameras in other coordinates.
-    pub fn seen_by(&self, camera: Buffer<f32>) -> Self {
+    /// The same pairs, with packed cameras in other coordinates.
+    pub fn with_cameras(&self, camera: Buffer<f32>) -> Self {
         Self {
             count: self.count.clone(),
             pair: self.pair.view(),
             camera,
             projection: self.projection.view(),
-            view_ends: self.view_ends.clone(),
+            camera_ends: self.camera_ends.clone(),
         }
     }
 
     /// Where chunks must end. With `keep`, at the end of each camera's pairs, because gradients are summed camera by camera.
     pub fn chunk_ends(&self, keep: bool) -> &[u32] {
-        if keep { &self.view_ends } else { &[] }
+        if keep { &self.camera_ends } else { &[] }
     }
 }
 
@@ -82,7 +82,12 @@ pub fn fill_pairs(scene: &DeviceScene, pair_mask: &Mask, count: &Count) -> Resul
 }
 
 /// The end of each camera's pairs.
-pub fn view_ends(device: &Device, pair_mask: &Mask, cameras: u32, words: u32) -> Result<Vec<u32>> {
+pub fn camera_ends(
+    device: &Device,
+    pair_mask: &Mask,
+    cameras: u32,
+    words: u32,
+) -> Result<Vec<u32>> {
     let end = |camera| device.read_range(&pair_mask.first, (camera * words) as usize, 1);
     (1..=cameras).map(|camera| Ok(end(camera)?[0])).collect()
 }

@@ -9,7 +9,7 @@ use organza_shaders::tile::{
 
 use super::counts::PartCounts;
 use super::cut::{PartTiles, words};
-use super::pairs::{Pairs, fill_pairs, pair_mask, view_ends};
+use super::pairs::{Pairs, camera_ends, fill_pairs, pair_mask};
 use super::project::Projection;
 use super::scan::{Mask, total};
 use crate::scene::device_scene::DeviceScene;
@@ -61,6 +61,43 @@ fn tile_mask(
     Mask::new(device, mask, &count)
 }
 
+/// How many items the tiles of a part need.
+struct Items {
+    pairs: Count,
+    intersections: Count,
+    /// Intersections of the fullest tile, or more.
+    largest: u32,
+}
+
+impl Items {
+    /// Waits for the device.
+    fn read(device: &Device, pair_mask: &Mask, tile_first: &Buffer<u32>) -> Result<Self> {
+        let first = device.read(tile_first)?;
+        let of_tiles = first.windows(2).map(|range| range[1] - range[0]);
+        Ok(Self {
+            pairs: total(device, &pair_mask.first)?,
+            intersections: Count::known(first[first.len() - 1]),
+            largest: of_tiles.max().unwrap_or(0),
+        })
+    }
+
+    /// Leaves the numbers on the device. If one exceeds its capacity, all tables of the part are empty.
+    fn on_device(
+        counts: &PartCounts,
+        device: &Device,
+        pair_mask: &Mask,
+        tile_mask: &Mask,
+        tile_first: &Buffer<u32>,
+    ) -> Result<Self> {
+        counts.record_total(device, PAIRS, &pair_mask.first)?;
+        counts.record_total(device, INTERSECTIONS, &tile_mask.first)?;
+        counts.clear_on_overflow(device, &[pair_mask, tile_mask], &[tile_first])?;
+        let intersections = counts.count(INTERSECTIONS);
+        let largest = intersections.upper_bound();
+        Ok(Self { pairs: counts.count(PAIRS), intersections, largest })
+    }
+}
+
 impl TileBins {
     /// With `part_counts`, nothing waits; if their capacity is too small, the bins are empty. Without, waits for the counts and
     /// has room for everything.
@@ -77,44 +114,27 @@ impl TileBins {
         let first_tile = device.upload("first tiles", &first_tile)?;
         let tiles = part_tiles.tiles.len() as u32;
         let cameras: Vec<_> = part_tiles.cameras().into_iter().map(|index| index as u32).collect();
-        let slots = cameras.len() as u32;
         let gaussians = scene.gaussians;
-        let words = words(scene.gaussians);
+        let words = words(gaussians);
 
         let params = TileMaskParams { gaussians, words, side: part_tiles.side };
         let tile_mask = tile_mask(device, params, &tile, tiles, &projection)?;
-        let pair_mask = pair_mask(device, words, slots, &first_tile, &tile_mask)?;
-
+        let pair_mask = pair_mask(device, words, cameras.len() as u32, &first_tile, &tile_mask)?;
         let tile_first = device.unwritten("tile intersections", tiles as usize + 1)?;
-        let params = TileRangeParams { tiles, words };
-        let kernel = TileRangeKernel {
-            params,
+        device.run_all(&TileRangeKernel {
+            params: TileRangeParams { tiles, words },
             first_intersection: &tile_mask.first,
             tile_first: &tile_first,
-        };
-        device.run_all(&kernel)?;
-        let (count, intersections, largest) = match &part_counts {
-            None => {
-                let first = device.read(&tile_first)?;
-                let intersections = first.windows(2).map(|range| range[1] - range[0]);
-                let largest = intersections.max().unwrap_or(0);
-                let all = Count::known(first[first.len() - 1]);
-                (total(device, &pair_mask.first)?, all, largest)
-            }
-            Some(counts) => {
-                counts.record_total(device, PAIRS, &pair_mask.first)?;
-                counts.record_total(device, INTERSECTIONS, &tile_mask.first)?;
-                counts.clear_on_overflow(device, &[&pair_mask, &tile_mask], &[&tile_first])?;
-                let intersections = counts.count(INTERSECTIONS);
-                let largest = intersections.upper_bound().min(gaussians);
-                (counts.count(PAIRS), intersections, largest)
-            }
+        })?;
+        let Items { pairs, intersections, largest } = match &part_counts {
+            None => Items::read(device, &pair_mask, &tile_first)?,
+            Some(counts) => Items::on_device(counts, device, &pair_mask, &tile_mask, &tile_first)?,
         };
 
-        let pair = fill_pairs(scene, &pair_mask, &count)?;
+        let pair = fill_pairs(scene, &pair_mask, &pairs)?;
         let intersection =
             device.unwritten("intersections", intersections.upper_bound() as usize)?;
-        let kernel = TileFillKernel {
+        device.run_all(&TileFillKernel {
             params: TileFillParams { words },
             tile: &tile,
             tile_mask: &tile_mask.bits,
@@ -122,14 +142,13 @@ impl TileBins {
             pair_mask: &pair_mask.bits,
             first_pair: &pair_mask.first,
             intersection: &intersection,
-        };
-        device.run_all(&kernel)?;
-        let view_ends = match device.backend() {
-            "cpu" => view_ends(device, &pair_mask, slots, words)?,
+        })?;
+        let camera_ends = match device.backend() {
+            "cpu" => camera_ends(device, &pair_mask, cameras.len() as u32, words)?,
             _ => Vec::new(),
         };
         Ok(Self {
-            pairs: Pairs { count, pair, camera, projection, view_ends },
+            pairs: Pairs { count: pairs, pair, camera, projection, camera_ends },
             side: part_tiles.side,
             cameras,
             tiles,
@@ -140,7 +159,8 @@ impl TileBins {
             tile_first,
             intersection,
             intersections,
-            largest,
+            // a tile has each Gaussian at most once
+            largest: largest.min(gaussians),
             part_counts,
             degenerate,
         })

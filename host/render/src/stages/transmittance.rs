@@ -24,19 +24,25 @@ use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Count, Error, Result};
 use organza_core::Camera;
 
+/// The segments of all pairs (Eq. 4-8).
+#[derive(Debug)]
+pub struct Segments {
+    /// `[pairs, 4]`
+    vectors: Buffer<Vec4>,
+    /// `[pairs + 1]`: the index of each segment's first sample, and the number of all samples.
+    pub first_sample: Buffer<u32>,
+}
+
 /// Transmittance of every pair.
 #[derive(Debug)]
 pub struct Transmittance {
     /// `[pairs]`
     pub transmittance: Buffer<f32>,
-    /// `[pairs + 1]`
-    pub first_sample: Buffer<u32>,
+    pub segments: Segments,
     /// Samples of all segments.
     pub samples: Count,
     /// Exponent of the products: the length of T's steps in multiples of sigma.
     pub power: f32,
-    /// `[pairs, 4]`
-    segment: Buffer<Vec4>,
     /// Midpoints, and the network's input.
     blocks: Blocks,
 }
@@ -47,40 +53,42 @@ impl Transmittance {
     pub fn evaluate(
         scene: &DeviceScene,
         pairs: &Pairs,
-        (segment, first_sample): (Buffer<Vec4>, Buffer<u32>),
+        segments: Segments,
         samples: Count,
         keep: bool,
     ) -> Result<Self> {
-        let pairs_most = pairs.count.upper_bound() as usize;
-        let transmittance = scene.device().unwritten("transmittance", pairs_most)?;
-        Self::multiplied(scene, pairs, (segment, first_sample), samples, keep, (transmittance, 0))
+        let capacity = pairs.count.upper_bound() as usize;
+        let transmittance = scene.device().unwritten("transmittance", capacity)?;
+        Self::evaluate_into(transmittance, false, scene, pairs, segments, samples, keep)
     }
 
-    /// The same in a buffer, and multiplied by what is there if `onto` is 1.
-    fn multiplied(
+    /// Like [`Self::evaluate`], into a buffer. With `onto`, multiplies the values that are there.
+    fn evaluate_into(
+        transmittance: Buffer<f32>,
+        onto: bool,
         scene: &DeviceScene,
         pairs: &Pairs,
-        (segment, first_sample): (Buffer<Vec4>, Buffer<u32>),
+        segments: Segments,
         samples: Count,
         keep: bool,
-        (transmittance, onto): (Buffer<f32>, u32),
     ) -> Result<Self> {
         let device = scene.device();
-        let capacity = pairs.count.upper_bound();
+        let first_sample = &segments.first_sample;
         let inputs = scene.config.transmittance_inputs();
-        let end = |&pair: &u32| Ok(device.read_range(&first_sample, pair as usize, 1)?[0]);
+        let end = |&pair: &u32| Ok(device.read_range(first_sample, pair as usize, 1)?[0]);
         let ends: Vec<_> = pairs.chunk_ends(keep).iter().map(end).collect::<Result<_>>()?;
         let blocks = Blocks::new(device, inputs, samples.clone(), keep, &ends)?;
-        let log_rho = log_rho(scene, pairs, &segment, &first_sample, &blocks)?;
+        let log_rho = log_rho(scene, pairs, &segments, &blocks)?;
+        let pairs_capacity = pairs.count.upper_bound();
         let power = scene.ray_steps as f32;
         let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs: capacity, power, onto },
-            first_sample: &first_sample,
+            params: SegmentProductParams { pairs: pairs_capacity, power, onto: onto.into() },
+            first_sample,
             log_rho: &log_rho,
             transmittance: &transmittance,
         };
         device.run_all(&kernel.counted(&pairs.count))?;
-        Ok(Self { transmittance, first_sample, samples, power, segment, blocks })
+        Ok(Self { transmittance, segments, samples, power, blocks })
     }
 
     /// Multiplies by T of the scenes that are [shown with](DeviceScene::put) this one. Returns the number of samples in their fields.
@@ -94,12 +102,13 @@ impl Transmittance {
     ) -> Result<u32> {
         let mut samples = 0_u32;
         for (index, field) in scene.fields.iter().enumerate() {
-            let pairs = pairs.seen_by(field.cameras(cameras)?);
-            let segments = segments(field, &pairs)?;
-            let count = bins.count_samples(field.device(), 1 + index, &segments.1)?;
+            let pairs = pairs.with_cameras(field.cameras(cameras)?);
+            let segments = Segments::new(field, &pairs)?;
+            let first_sample = &segments.first_sample;
+            let count = bins.count_samples(field.device(), 1 + index, first_sample)?;
             samples = samples.saturating_add(count.upper_bound());
-            let product = (self.transmittance.view(), 1);
-            Self::multiplied(field, &pairs, segments, count, false, product)?;
+            let product = self.transmittance.view();
+            Self::evaluate_into(product, true, field, &pairs, segments, count, false)?;
         }
         Ok(samples)
     }
@@ -119,11 +128,9 @@ impl Transmittance {
     /// The rays of all pairs; evaluates the samples once more.
     pub fn rays(&self, scene: &DeviceScene, pairs: &Pairs) -> Result<Vec<Ray>> {
         let device = scene.device();
-        let segment = &self.segment;
-        let first = &self.first_sample;
-        let log_rho = log_rho(scene, pairs, segment, first, &self.blocks)?;
-        let segment = device.read(segment)?;
-        let first = device.read(first)?;
+        let log_rho = log_rho(scene, pairs, &self.segments, &self.blocks)?;
+        let segment = device.read(&self.segments.vectors)?;
+        let first = device.read(&self.segments.first_sample)?;
         let log_rho = device.read(&log_rho)?;
         let is_contracted = !scene.config.contraction.is_none();
         let ray = |(pair, vectors): (usize, &[Vec4; SEGMENT_VECTORS as usize])| {
@@ -145,30 +152,31 @@ impl Transmittance {
     }
 }
 
-/// The segments `[pairs, 4]` (Eq. 4-8), and the index of each one's first sample, `[pairs + 1]`.
-pub fn segments(scene: &DeviceScene, pairs: &Pairs) -> Result<(Buffer<Vec4>, Buffer<u32>)> {
-    let device = scene.device();
-    check_samples(scene, pairs)?;
-    let capacity = pairs.count.upper_bound();
-    let segment = device.unwritten("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
-    let count = device.zeros("sample counts", capacity as usize)?;
-    let kernel = SegmentKernel {
-        params: SegmentParams {
-            pairs: capacity,
-            gaussians: scene.gaussians,
-            step: scene.ray_step() as f32,
-            contracted: scene.config.contraction.for_kernels(),
-        },
-        pair: &pairs.pair,
-        camera: &pairs.camera,
-        scene_box: &scene.scene_box,
-        position: &scene.tensors.gaussians.position,
-        segment: &segment,
-        count: &count,
-    };
-    device.run_all(&kernel.counted(&pairs.count))?;
-    let first_sample = exclusive_scan(device, &count, capacity)?;
-    Ok((segment, first_sample))
+impl Segments {
+    /// Clips or contracts the ray of every pair, and counts its steps.
+    pub fn new(scene: &DeviceScene, pairs: &Pairs) -> Result<Self> {
+        let device = scene.device();
+        check_samples(scene, pairs)?;
+        let capacity = pairs.count.upper_bound();
+        let vectors = device.unwritten("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
+        let count = device.zeros("sample counts", capacity as usize)?;
+        let kernel = SegmentKernel {
+            params: SegmentParams {
+                pairs: capacity,
+                gaussians: scene.gaussians,
+                step: scene.ray_step() as f32,
+                contracted: scene.config.contraction.for_kernels(),
+            },
+            pair: &pairs.pair,
+            camera: &pairs.camera,
+            scene_box: &scene.scene_box,
+            position: &scene.tensors.gaussians.position,
+            segment: &vectors,
+            count: &count,
+        };
+        device.run_all(&kernel.counted(&pairs.count))?;
+        Ok(Self { vectors, first_sample: exclusive_scan(device, &count, capacity)? })
+    }
 }
 
 /// Samples are numbered in 32 bits.
@@ -187,14 +195,13 @@ fn check_samples(scene: &DeviceScene, pairs: &Pairs) -> Result<()> {
 fn log_rho(
     scene: &DeviceScene,
     pairs: &Pairs,
-    segment: &Buffer<Vec4>,
-    first_sample: &Buffer<u32>,
+    segments: &Segments,
     blocks: &Blocks,
 ) -> Result<Buffer<f32>> {
     let device = scene.device();
     let field = &scene.transmittance;
     let log_rho = device.unwritten("log rho", blocks.count.upper_bound() as usize)?;
-    let others = &|chunk: &Chunks<'_>| inputs(scene, pairs, segment, first_sample, chunk);
+    let others = &|chunk: &Chunks<'_>| inputs(scene, pairs, segments, chunk);
     field.forward(device, Inputs { blocks, grid_row: 0, others }, |input, chunk| {
         let kernel = TransmittanceHeadKernel {
             params: field.head_params(chunk),
@@ -212,8 +219,7 @@ fn log_rho(
 fn inputs(
     scene: &DeviceScene,
     pairs: &Pairs,
-    segment: &Buffer<Vec4>,
-    first_sample: &Buffer<u32>,
+    segments: &Segments,
     chunk: &Chunks<'_>,
 ) -> Result<()> {
     let config = &scene.config;
@@ -230,8 +236,8 @@ fn inputs(
             occupancy: config.occupancy,
         },
         pair: &pairs.pair,
-        first_sample,
-        segment,
+        first_sample: &segments.first_sample,
+        segment: &segments.vectors,
         extra: &scene.tensors.gaussians.extra,
         occupancy: &scene.occupancy.table,
         point: &chunk.point(),
@@ -254,7 +260,8 @@ impl Transmittance {
         if self.samples.upper_bound() == 0 {
             return Ok(None);
         }
-        let Self { segment, first_sample, blocks, .. } = self;
+        let Self { segments, blocks, .. } = self;
+        let first_sample = &segments.first_sample;
         let pairs = &bins.pairs;
         let extra = scene.config.extra;
         let values = (pairs.count.upper_bound() * extra) as usize;
@@ -273,7 +280,7 @@ impl Transmittance {
             inputs: Inputs {
                 blocks,
                 grid_row: 0,
-                others: &|chunk| inputs(scene, pairs, segment, first_sample, chunk),
+                others: &|chunk| inputs(scene, pairs, segments, chunk),
             },
             first_sample: Some(first_sample),
             gradient: &gradient.transmittance,
@@ -314,7 +321,7 @@ impl Transmittance {
         pair_gradient: &Buffer<Vec4>,
     ) -> Result<()> {
         let device = scene.device();
-        let log_rho_gradient = &scratch.of_head;
+        let log_rho_gradient = &scratch.head_scratch;
         let (first_pair, count) = owners.of_chunk(chunk);
         let pairs = count.upper_bound();
         let kernel = SegmentProductBackwardKernel {
@@ -325,7 +332,7 @@ impl Transmittance {
                 first_sample: chunk.first(),
                 power: self.power,
             },
-            first_sample: &self.first_sample,
+            first_sample: &self.segments.first_sample,
             transmittance: &self.transmittance,
             pair_gradient,
             log_rho_gradient,

@@ -44,7 +44,7 @@ pub struct ChunkScratch {
     /// `[4, stride]`: gradient of the network's outputs, which the stage's head writes. Rows without an output are 0.
     pub logit_gradient: Buffer<f32>,
     /// `[samples]`: scratch memory of the stage's head.
-    pub of_head: Buffer<f32>,
+    pub head_scratch: Buffer<f32>,
     /// Gradients of two adjacent hidden layers: `[rows, stride]`.
     hidden_gradient: [Buffer<f32>; 2],
 }
@@ -58,7 +58,7 @@ impl ChunkScratch {
             activation: field.activations(device, layout, field.hidden_layers().len())?,
             // rows that no head writes stay 0
             logit_gradient: device.zeros("gradient of logits", 4 * stride)?,
-            of_head: device.unwritten("gradient of a head", layout.chunk as usize)?,
+            head_scratch: device.unwritten("gradient of a head", layout.chunk as usize)?,
             hidden_gradient: [hidden()?, hidden()?],
         })
     }
@@ -86,7 +86,7 @@ impl FieldBackward<'_> {
                 .unwritten("gradient of inputs", layout.begin(layout.group, rows))?,
             carry: device.unwritten("gradients of a slice", 8 * field.parameters.len())?,
         };
-        let of_inputs =
+        let input_gradient =
             |chunks: &Chunks<'_>| shared.input_gradient.tail(layout.begin(chunks.index(), rows));
         let scratches = Mutex::default();
         let new = || ChunkScratch::new(device, field, layout);
@@ -98,17 +98,17 @@ impl FieldBackward<'_> {
                 device.parallel_for_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.hidden(device, &scratch.activation, &chunk)?;
                     head(scratch, &chunk)?;
-                    self.layers(scratch, &chunk, &shared.carry, &of_inputs(&chunk))
+                    self.layers(scratch, &chunk, &shared.carry, &input_gradient(&chunk))
                 })?;
                 for chunk in group.chunks() {
-                    after(&of_inputs(&chunk), &chunk)?;
+                    after(&input_gradient(&chunk), &chunk)?;
                 }
-                for piece in group.pieces() {
-                    let params = field.grid_params(&piece, inputs.grid_row);
-                    let points = &piece.point();
-                    let of_piece = &of_inputs(&piece);
+                for span in group.spans() {
+                    let params = field.grid_params(&span, inputs.grid_row);
+                    let points = &span.point();
+                    let d_features = &input_gradient(&span);
                     let table = &self.gradient.table;
-                    table.accumulate(device, field, params, &piece.count(), points, of_piece)?;
+                    table.accumulate(device, field, params, &span.count(), points, d_features)?;
                 }
             }
         }
@@ -122,7 +122,7 @@ impl FieldBackward<'_> {
         scratch: &ChunkScratch,
         chunk: &Chunks<'_>,
         carry: &Buffer<f32>,
-        of_inputs: &Buffer<f32>,
+        input_gradient: &Buffer<f32>,
     ) -> Result<()> {
         let device = self.scene.device();
         let field = self.field;
@@ -132,7 +132,7 @@ impl FieldBackward<'_> {
             let input = &below.map_or_else(|| chunk.input(), Buffer::clone);
             self.weights(layer, chunk, [input, output], carry)?;
             let target = match index {
-                0 => of_inputs,
+                0 => input_gradient,
                 _ => &scratch.hidden_gradient[index % 2],
             };
             // all rows of the hidden layer below, padding included; in the first layer, the input rows from the grid's on

@@ -45,35 +45,35 @@ impl DeviceField {
     /// Writes a block's points and the network's input.
     fn encode(&self, device: &Device, inputs: Inputs<'_>, block: &Chunks<'_>) -> Result<()> {
         device.parallel_for(block.chunks(), |chunk| (inputs.others)(&chunk))?;
-        block.pieces().try_for_each(|piece| {
-            let params = self.grid_params(&piece, inputs.grid_row);
-            let position = &piece.point();
-            let output = &piece.input();
+        block.spans().try_for_each(|span| {
+            let params = self.grid_params(&span, inputs.grid_row);
+            let position = &span.point();
+            let output = &span.input();
             let levels = &self.levels;
             match &self.half_table {
                 None => {
                     let table = &self.table;
                     let kernel = HashGridKernel { params, levels, table, position, output };
-                    device.run_all(&kernel.counted(&piece.count()))
+                    device.run_all(&kernel.counted(&span.count()))
                 }
                 Some(table) => {
                     let kernel = HashGridHalfKernel { params, levels, table, position, output };
-                    device.run_all(&kernel.counted(&piece.count()))
+                    device.run_all(&kernel.counted(&span.count()))
                 }
             }
         })
     }
 
-    /// The hash grid's parameters for a piece of a block. The features' first row is `first_row`.
-    fn grid_params(&self, piece: &Chunks<'_>, first_row: u32) -> HashGridParams {
+    /// The hash grid's parameters for a span of chunks. The features' first row is `first_row`.
+    fn grid_params(&self, span: &Chunks<'_>, first_row: u32) -> HashGridParams {
         HashGridParams {
-            points: piece.samples(),
-            stride: piece.stride(),
+            points: span.samples(),
+            stride: span.stride(),
             first_row,
             features: self.features,
-            chunk: piece.all.layout.chunk,
+            chunk: span.all.layout.chunk,
             point_rows: ROWS_OF_POINT,
-            rows: piece.all.rows,
+            rows: span.all.rows,
         }
     }
 

@@ -141,10 +141,10 @@ impl Blocks {
         let samples = count.upper_bound();
         let ends = if ends.is_empty() { &[samples] } else { ends };
         let begins = std::iter::once(&0).chain(ends);
-        let pieces: Vec<_> = begins.zip(ends).map(|(&begin, &end)| begin..end).collect();
-        let largest = pieces.iter().map(|piece| piece.len() as u32).max().unwrap_or(0);
+        let ranges: Vec<_> = begins.zip(ends).map(|(&begin, &end)| begin..end).collect();
+        let largest = ranges.iter().map(|range| range.len() as u32).max().unwrap_or(0);
         let mut layout = Layout::new(device, largest);
-        let chunks = pieces.into_iter().flat_map(|piece| piece.step_by(layout.chunk as usize));
+        let chunks = ranges.into_iter().flat_map(|range| range.step_by(layout.chunk as usize));
         let mut first: Vec<_> = chunks.collect();
         layout.chunks = layout.chunks.min(first.len() as u32);
         layout.group = layout.group.clamp(1, layout.chunks.max(1));
@@ -236,8 +236,8 @@ impl<'a> Chunks<'a> {
         begins.map(move |begin| self.with(begin, begin..end.min(begin + size)))
     }
 
-    /// The pieces, in order: all chunks of a piece are full, except for the last one.
-    pub fn pieces(&self) -> impl Iterator<Item = Self> {
+    /// The spans, in order: all chunks of a span are full, except for the last one.
+    pub fn spans(&self) -> impl Iterator<Item = Self> {
         let full = self.all.layout.chunk;
         let first = &self.all.first;
         let mut rest = self.range.clone();
@@ -287,13 +287,13 @@ mod tests {
         let range = |first: u32, samples: u32| first..first + samples;
         let chunks: Vec<_> = block.chunks().map(|c| range(c.first(), c.samples())).collect();
         assert_eq!(chunks, [0..100, 100..2148, 2148..4196, 4196..4300, 4300..5000]);
-        let pieces: Vec<_> = block.pieces().map(|p| (p.index(), p.first(), p.samples())).collect();
-        assert_eq!(pieces, [(0, 0, 100), (1, 100, 4200), (4, 4300, 700)]);
+        let spans: Vec<_> = block.spans().map(|s| (s.index(), s.first(), s.samples())).collect();
+        assert_eq!(spans, [(0, 0, 100), (1, 100, 4200), (4, 4300, 700)]);
         // without `ends`, only the last chunk is not full
         let blocks = Blocks::new(&device, 3, Count::known(5000), true, &[]).expect("blocks");
         let block = blocks.iter().next().expect("a block");
         let chunks: Vec<_> = block.chunks().map(|c| range(c.first(), c.samples())).collect();
         assert_eq!(chunks, [0..2048, 2048..4096, 4096..5000]);
-        assert_eq!(block.pieces().count(), 1);
+        assert_eq!(block.spans().count(), 1);
     }
 }

@@ -1,6 +1,7 @@
 //! Binary glTF 2.0 with `KHR_gaussian_splatting`, as the Khronos Group ratified it. Gaussians are points with the
 //! extension's attributes, all of them floats.
 
+use std::collections::HashSet;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -212,8 +213,13 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     let mut found = NodeContents::default();
     let count = file.json["nodes"].as_array().map_or(0, Vec::len);
     let mut seen = vec![false; count];
-    for root in file.roots() {
-        file.add_node(root, DMat4::IDENTITY, &mut seen, &mut found)?;
+    // nodes may be nested deeper than the stack is
+    let mut left = vec![(file.roots(), DMat4::IDENTITY)];
+    while let Some((nodes, parent)) = left.pop() {
+        for index in nodes {
+            let to_world = file.add_node(index, parent, &mut seen, &mut found)?;
+            left.push((indices(&file.json["nodes"][index]["children"]).collect(), to_world));
+        }
     }
     let NodeContents { splats, positions, is_placed, notes } = found;
     if splats.is_empty() {
@@ -247,19 +253,19 @@ impl File<'_> {
             return indices(&scene["nodes"]).collect();
         }
         let nodes = self.json["nodes"].as_array().map(Vec::as_slice).unwrap_or_default();
-        let inner: Vec<_> = nodes.iter().flat_map(|node| indices(&node["children"])).collect();
+        let inner: HashSet<_> = nodes.iter().flat_map(|node| indices(&node["children"])).collect();
         (0..nodes.len()).filter(|node| !inner.contains(node)).collect()
     }
 
-    /// Adds the Gaussians of a node, and of the nodes within. `parent` maps the space around the node to the world. A node is in
-    /// one other at most, so `seen` must not have it.
+    /// Adds the Gaussians of a node, and returns the matrix from its space to the world. `parent` maps the space around the node.
+    /// A node is in one other at most, so `seen` must not have it.
     fn add_node(
         &self,
         index: usize,
         parent: DMat4,
         seen: &mut [bool],
         found: &mut NodeContents,
-    ) -> Result<()> {
+    ) -> Result<DMat4> {
         if seen.get(index) != Some(&false) {
             return damaged(self.path, "a node is missing, or is there twice");
         }
@@ -282,7 +288,7 @@ impl File<'_> {
             found.splats.append(&mut splats);
             found.is_placed |= said.is_some();
         }
-        indices(&node["children"]).try_for_each(|child| self.add_node(child, to_world, seen, found))
+        Ok(to_world)
     }
 
     /// Turns Gaussians as a node does, and makes them larger.
@@ -505,6 +511,16 @@ mod tests {
         let placement = Placement { offset, scale: 0.5, ..Placement::default() };
         let found = file.unwrap().into_own(&placement).unwrap();
         assert_close(&found, &splats(), [1e-6, 1e-5, 0.0, 0.0, 1e-6]);
+    }
+
+    #[test]
+    fn a_long_chain_of_nodes_is_read() {
+        let bytes = with(|json| {
+            let chain = (1..200_000).map(|child| json!({"children": [child]}));
+            json["nodes"] = chain.chain([json!({"mesh": 0})]).collect();
+            json["scenes"] = json!([]);
+        });
+        assert_eq!(read_bytes(&bytes).unwrap().len(), splats().len());
     }
 
     #[test]

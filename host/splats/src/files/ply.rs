@@ -5,7 +5,7 @@ use std::path::Path;
 
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
-use super::{PLACEMENT, Splat, SplatFile, turned};
+use super::{PLACEMENT, Splat, SplatFile, log_of, turned};
 use crate::harmonics::HARMONICS;
 use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
@@ -124,8 +124,8 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
         Splat {
             position: [0.0; 3],
             rotation: std::array::from_fn(|at| row[OPACITY + 4 + at]),
-            log_scale: values(OPACITY + 1),
-            // some programs write an opacity of 1 as an infinite logit
+            // some programs write a scale of 0 and an opacity of 1, whose logarithm and logit are infinite
+            log_scale: values(OPACITY + 1).map(|log: f32| log.clamp(log_of(0.0), f32::INFINITY)),
             opacity: row[OPACITY].clamp(-100.0, 100.0),
             color: std::array::from_fn(|harmonic| match harmonic {
                 0 => values(0),
@@ -186,9 +186,12 @@ mod tests {
 
     #[test]
     fn a_round_trip_keeps_the_splats() {
-        let splats = splats();
+        let mut splats = splats();
         let mut bytes = Vec::new();
+        // a scale of 0 becomes one that is too small to see
+        splats[3].log_scale[1] = f32::NEG_INFINITY;
         write(&splats, &Placement::default(), &mut bytes).unwrap();
+        splats[3].log_scale[1] = log_of(0.0);
         let again = read_bytes(&bytes).unwrap();
         for (found, expected) in again.iter().zip(&splats) {
             assert_eq!(Splat { rotation: expected.rotation, ..*found }, *expected);

@@ -18,7 +18,7 @@ const DEEPEST: usize = 32;
 /// Most files that are named as not used.
 const MAX_NAMED: usize = 3;
 /// Extensions that a name may lack.
-const EXTENSIONS: [&str; 6] = ["", ".png", ".jpg", ".jpeg", ".JPG", ".JPEG"];
+const EXTENSIONS: [&str; 7] = ["", ".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"];
 
 /// A photograph's file, and how to read it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -160,7 +160,7 @@ fn models_and_images_are_found_where_they_may_be() {
         fs::remove_dir_all(root.join("sparse")).unwrap();
         write_model(&root.join(place), &sample(), false);
         // Photographs may be in the folder itself, and in another format than they had.
-        fs::rename(root.join("images/a.png"), root.join("a.png")).unwrap();
+        fs::rename(root.join("images/a.png"), root.join("a.PNG")).unwrap();
         fs::rename(root.join("images/sub/c.png"), root.join("images/sub/c.JPG")).unwrap();
         fs::remove_file(root.join("images/b c.png")).unwrap();
         let dataset = load(root).unwrap();

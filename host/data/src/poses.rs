@@ -309,7 +309,7 @@ impl Poses {
         (dataset.held_out, dataset.train) = seen.partition(|&index| shots[index].held_out);
         if dataset.train.is_empty() && !is_part {
             let reason = format!(
-                "all {count} photographs that are there are held out, so none is left to train on; \
+                "every photograph that is there is held out ({count}), so none is left to train on; \
                  add photographs, or hold none out"
             );
             return invalid(&dataset.path, reason);

@@ -48,6 +48,13 @@ fn add_points(poses: &mut Poses, file: &Value, path: &Path) -> Result<()> {
         None | Some(Value::Null) => {}
         Some(Value::String(points)) => {
             let points = find::named(folder(path), points);
+            if !points.exists() {
+                let reason = format!(
+                    "there is no such file as {}, which `ply_file_path` names; put it there, or remove the key",
+                    points.display()
+                );
+                return invalid(path, reason);
+            }
             poses.check_place(&points)?;
             poses.dataset.points = ply::read(&points)?;
             poses.dataset.points_file = Some(points);

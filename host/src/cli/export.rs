@@ -141,8 +141,8 @@ fn announce(fit: Fit, console: Console) {
         0 => "`--steps 0` compares no images, and only takes what the scene says of each Gaussian: the file can lose 10 decibels"
             .to_owned(),
         steps => format!(
-            "fitting the Gaussians to the scene's own images in {}, which takes a minute on a CPU; `--steps 0` only takes \
-             what the scene says of each, in seconds, and can lose 10 decibels",
+            "fitting the Gaussians to the scene's own images in {}; `--steps 0` only takes what the scene says of each, in \
+             seconds, and can lose 10 decibels",
             count(u64::from(steps), "step")
         ),
     });

@@ -172,7 +172,7 @@ fn without_photographs_there_is_no_data_set() {
     let folder = nerfstudio_folder(&transforms(3));
     fs::remove_file(folder.path().join("images/1.png")).unwrap();
     fs::remove_file(folder.path().join("images/2.png")).unwrap();
-    assert_refused(folder.path(), &["all 1 photographs", "none is left to train on"]);
+    assert_refused(folder.path(), &["held out (1)", "none is left to train on"]);
     fs::remove_file(folder.path().join("images/0.png")).unwrap();
     assert_refused(folder.path(), &["none of the 3 photographs", "0.png"]);
 }

@@ -238,7 +238,7 @@ impl SceneGradient {
         device.copy(&self.statistics, &self.statistics_before);
     }
 
-    /// Restores the state before the step: zeros, and the statistics of [`Self::snapshot`].
+    /// Restores the state before the step: zero gradients, and the statistics as they were then.
     pub fn rollback(&self, device: &Device) {
         device.copy(&self.statistics_before, &self.statistics);
         self.tensors.iter().for_each(|(_, tensor)| device.clear(&tensor.buffer));

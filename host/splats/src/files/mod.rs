@@ -123,7 +123,7 @@ impl Format {
         let name = name.to_string_lossy();
         match name.rsplit_once('.') {
             Some((name, "ply")) if name.ends_with(".compressed") => {
-                invalid(path, "organza only reads .compressed.ply; a .sog is half as large")
+                invalid(path, "organza does not write .compressed.ply; a .sog is half as large")
             }
             Some((_, "ply")) => Ok(Self::Ply),
             Some((_, "spz")) => Ok(Self::Spz),

@@ -387,8 +387,7 @@ fn a_scene_is_edited_in_a_browser() {
     page.wait(REST);
     let painted = shown(&mut page);
 
-    // two clicks are a distance; a known one gives the saved scene meters
-    page.key("g");
+    // two clicks are a distance, which puts the brush aside; a known one gives the saved scene meters
     page.key("m");
     let clicked = [-30.0, 30.0].map(|across| {
         page.click([middle[0] + across, middle[1]]);

@@ -32,6 +32,7 @@ export class Edit extends Tool {
 
   choose(tool) {
     this.tool = this.tool === tool ? null : tool;
+    if (this.tool && this.overlay.measure?.isOn) this.overlay.measure.toggle();
     for (const one of ["box", "brush"]) {
       $(`${one}-tool`).ariaPressed = this.tool === one;
       $(`${one}-actions`).hidden = this.tool !== one;

@@ -137,7 +137,8 @@ export class Keyframes {
     const size = [this.view.camera.w, this.view.camera.h];
     const step = (now) => {
       if (this.playing !== playing) return;
-      const t = (now - begin) / 1000 / seconds;
+      // the first frame may have begun before
+      const t = Math.max(0, now - begin) / 1000 / seconds;
       if (t >= 1 && !loop) return this.stop();
       this.view.moved();
       this.view.camera = withSize(this.path[Math.floor((t % 1) * this.path.length)], size);

@@ -17,6 +17,8 @@ export class Measure {
   toggle() {
     this.isOn = !this.isOn;
     this.places = [];
+    // a tool would take the clicks
+    if (this.isOn && this.edit?.tool) this.edit.choose(this.edit.tool);
     $("measure").ariaPressed = this.isOn;
     $("measured").hidden = !this.isOn;
     this.say();

@@ -20,7 +20,7 @@ const MAX_SIDE: u32 = 4096;
 
 const EXAMPLES: &str = "\
 Examples:
-  organza export-web run -o page                     page/index.html and three files beside it, for any web server
+  organza export-web run -o page                     a folder, for any web server
   organza export-web run --single-file -o page.html  one file, to open or to send
   organza export-web scene.safetensors transforms.json -o page
   organza export-web room.safetensors mug.safetensors@mug.json -o page    scenes together
@@ -77,7 +77,12 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let renderer = args.device.open(console)?;
     let title = args.title.clone().unwrap_or_else(|| page_title(&shown.source));
     let options = PageOptions { title, size: args.size };
-    let page = make(&shown, !args.full_grids, &cameras, &renderer, &options, console)?;
+    let scenes = shown.load(console)?;
+    let grids = SceneArgs { half_grids: !args.full_grids };
+    let upload = |renderer: &Renderer| shown.upload(&scenes, &grids, renderer);
+    let page = console.during("measuring what images need", || {
+        WebPage::new(&scenes[0], &upload, &cameras, &renderer, &options)
+    })?;
     let (file, bytes) = match &folder {
         None => {
             let text = page.single_file();
@@ -107,29 +112,6 @@ fn write_page(page: &WebPage, folder: &Folder) -> Result<usize> {
         write(&folder.file(name)?, bytes)?;
     }
     Ok(files.iter().map(|(_, bytes)| bytes.len()).sum())
-}
-
-/// Makes a page, and reports its contents.
-fn make(
-    shown: &Shown,
-    half_grids: bool,
-    cameras: &[Camera],
-    renderer: &Renderer,
-    options: &PageOptions,
-    console: Console,
-) -> Result<WebPage> {
-    let scenes = shown.load(console)?;
-    let args = SceneArgs { half_grids };
-    let upload = |renderer: &Renderer| shown.upload(&scenes, &args, renderer);
-    let page = console.during("measuring what images need", || {
-        WebPage::new(&scenes[0], &upload, cameras, renderer, options)
-    })?;
-    let facts = page.facts;
-    console.detail(&format!(
-        "{} kernels, {} plans, room measured on {} cameras",
-        facts.kernels, facts.plans, facts.measured
-    ));
-    Ok(page)
 }
 
 /// The cameras of a page: the named ones, or the run's. A scene's file alone has none.

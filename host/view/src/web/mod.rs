@@ -37,19 +37,6 @@ pub struct WebPage {
     payload: String,
     /// The first image, JPEG.
     poster: Vec<u8>,
-    /// Facts measured while making the page.
-    pub facts: Facts,
-}
-
-/// Facts about a page.
-#[derive(Clone, Copy, Debug)]
-pub struct Facts {
-    /// Number of plans of a frame.
-    pub plans: usize,
-    /// Number of kernels.
-    pub kernels: usize,
-    /// Number of cameras for which the plans' capacities were measured.
-    pub measured: usize,
 }
 
 /// Number of cameras on an orbit for which capacities are measured.
@@ -116,7 +103,6 @@ impl WebPage {
         let kernels = kernels_of(&frames)?;
         let poster = measuring.render_view(&there, &within(&home, options.size))?;
         let poster = encode_jpeg(&poster)?;
-        let facts = Facts { plans: frames.len(), kernels: kernels.len(), measured: measured.len() };
         let header = json!({
             "title": options.title,
             "version": env!("CARGO_PKG_VERSION"),
@@ -136,7 +122,7 @@ impl WebPage {
             "plans": frames,
         });
         let payload = pack(&header, &buffers);
-        Ok(Self { title: options.title.clone(), payload, poster, facts })
+        Ok(Self { title: options.title.clone(), payload, poster })
     }
 
     /// The whole page as one file.

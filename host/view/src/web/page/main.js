@@ -80,7 +80,7 @@ class Viewer {
     if (this.revealed) return;
     this.revealed = true;
     $("poster").classList.add("gone");
-    this.tellStatus();
+    this.tell();
     if (!this.touched && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.turn();
   }
 
@@ -303,6 +303,8 @@ class Viewer {
   }
 
   tell() {
+    // the poster is in front, and the page says that it loads
+    if (!this.revealed) return;
     const { quality, camera, plan, time, counts } = this.shown;
     const isEnlarged = $("view").clientWidth > 1.5 * camera.w;
     $("quality").dataset.is = quality === "moving" ? "moving" : "exact";
@@ -315,11 +317,11 @@ class Viewer {
 
   // Counters, if they are asked for, and whether the view is far from what photographs show: it fades there.
   tellStatus() {
+    if (!this.revealed) return;
     const far = farness(this.camera, this.header.poses, this.header.center);
     const isFarAway = far > 1;
     $("far").hidden = !isFarAway;
     $("view").style.opacity = opacityAt(far);
-    if (!this.revealed) return;
     $("numbers").hidden = !this.counters;
     $("status").hidden = !this.counters && !isFarAway;
   }

@@ -10,7 +10,7 @@ use super::console::{Console, print_as_is};
 const EXAMPLES: &str = "\
 Examples:
   organza completions bash > ~/.local/share/bash-completion/completions/organza
-  organza completions zsh > ~/.zfunc/_organza                with fpath+=~/.zfunc before compinit in ~/.zshrc
+  organza completions zsh > ~/.zfunc/_organza            fpath+=~/.zfunc before compinit in ~/.zshrc
   organza completions fish > ~/.config/fish/completions/organza.fish
   organza completions powershell >> $PROFILE
 

@@ -26,7 +26,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza demo -o demo
   organza demo -o demo --views 8 --size 256 --backend cpu
-  organza demo --photographs -o table      40 photographs of a still life, to try capture and train";
+  organza demo --photographs -o table      40 photographs of a still life, to capture and train";
 
 /// Render the built-in scene from all sides; needs no files
 #[derive(Debug, clap::Args)]

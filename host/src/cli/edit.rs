@@ -18,12 +18,12 @@ const USAGE: &str = "organza edit SCENE DATA -o NEW";
 
 const EXAMPLES: &str = "\
 Examples:
-  organza edit run -o small.safetensors --min-contribution      without what no photograph shows
-  organza edit run -o clean.safetensors --clean 0.3               without floaters; view --edit shows each strength
+  organza edit run -o small.safetensors --min-contribution    without what no photograph shows
+  organza edit run -o clean.safetensors --clean 0.3           without floaters, as view --edit shows
   organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
   organza edit run -o rest.safetensors --box -1,-1,0,1,1,2 --outside
   organza edit scene.safetensors data/fox -o small.safetensors --min-contribution=0.5
-  organza edit run -o in-meters.safetensors --scale 0.2           a unit of the data set is 20 cm
+  organza edit run -o in-meters.safetensors --scale 0.2       a unit of the data set is 20 cm
 
 The rules apply in this order: box, contribution, floaters. Contribution and floaters are measured once, in the scene \
 that the box has left. \

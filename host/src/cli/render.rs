@@ -24,7 +24,7 @@ Examples:
   organza render run -o images                             the views that the run was trained on
   organza render run -o images --split held-out            those that it did not see
   organza render scene.safetensors data/fox -o images --split all --downscale 2
-  organza render room.safetensors mug.safetensors@mug.json transforms.json -o images    two scenes (docs/scenes.md)
+  organza render room.safetensors mug.safetensors@mug.json transforms.json -o images   two scenes
 
 A data set's cameras are used as in training: undistorted and downscaled. With a run's folder, its settings say \
 which frames are held out. `--views` counts the frames that `--split` chooses.

@@ -21,8 +21,8 @@ Examples:
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --backend cpu
   organza tiles run tiles.json -o rendered.safetensors     cameras of what the run was trained on
-  organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --channels depth,alpha
-  organza tiles scene.safetensors cameras.json tiles.json --grad-tiles G.safetensors --grad gradient.safetensors
+  organza tiles run tiles.json -o rendered.safetensors --channels depth,alpha
+  organza tiles run tiles.json --grad-tiles G.safetensors --grad gradient.safetensors
 
 CAMERAS may be a data set: its cameras are used as in training, and `camera` is an index among the \
 frames of `--split`.

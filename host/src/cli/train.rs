@@ -37,7 +37,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza train -o run                                 the built-in scene, no files needed
   organza train data/fox -o run --minutes 10
-  organza train garden.mp4 -o run                      finds the poses first, as `organza capture` does
+  organza train garden.mp4 -o run                      finds the poses first, as `capture` does
   organza train --resume run                           continues after Ctrl-C, to the same bits
   organza train --resume run --steps 5000              extends a run, also one that is finished
   organza train data/fox -o quick --preset fast

@@ -21,12 +21,12 @@ use film_path::{PathArgs, described};
 
 const EXAMPLES: &str = "\
 Examples:
-  organza film run -o film.mp4                                      on an arc or a ring, where the run's cameras stood
-  organza film run -o film.mp4 --views 0,10,20,30 --loop            through cameras of its data set
-  organza film scene.safetensors keys.json -o film.mp4              through keyframes of your own, as the viewer saves them
-  organza film scene.safetensors -o film.png                        once around the scene
+  organza film run -o film.mp4                              an arc or a ring where its cameras stood
+  organza film run -o film.mp4 --views 0,10,20,30 --loop    through cameras of its data set
+  organza film scene.safetensors keys.json -o film.mp4      through keyframes that the viewer saves
+  organza film scene.safetensors -o film.png                once around the scene
   organza film run -o small.mp4 --size 1280x720
-  organza film run -o frames --frames 600                           a folder of PNG images
+  organza film run -o frames --frames 600                   a folder of PNG images
 
 An MP4 is encoded by ffmpeg, which must be installed. An animated PNG (.png) needs nothing, loses nothing, plays in \
 every browser, and is larger.

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use numpy::ndarray::{Array2, Array3};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3};
+use organza::camera::MAX_IMAGE_SIDE;
 use organza::data::{DatasetOptions, Poses};
 use organza::scene::{Placement, SceneConfig};
 use pyo3::prelude::*;
@@ -34,8 +35,8 @@ impl Cameras {
 
     #[staticmethod]
     fn turntable(views: usize, side: u32) -> PyResult<Self> {
-        if views == 0 || side == 0 || views > 100_000 {
-            return Err(invalid("expected 1 to 100,000 views, and a side of at least 1 pixel"));
+        if !(1..=100_000).contains(&views) || !(1..=MAX_IMAGE_SIDE).contains(&side) {
+            return Err(invalid("expected 1 to 100,000 views, and a side of 1 to 65536 pixels"));
         }
         Self(organza::demo::turntable(views, side)).checked()
     }

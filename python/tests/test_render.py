@@ -168,6 +168,7 @@ def test_a_scene_shows_itself(scene):
         (lambda o: o.Cameras.from_matrices(np.eye(4), np.eye(3), 8, 8), ValueError, r"expected \[C, 4, 4\]"),
         (lambda o: o.Cameras.from_matrices(2 * np.eye(4)[None], np.eye(3)[None], 8, 8), ValueError, "row|rotation"),
         (lambda o: o.Cameras.turntable(0, 8), ValueError, "1 to 100,000"),
+        (lambda o: o.Cameras.turntable(4, 10**9), ValueError, "1 to 65536 pixels"),
         (lambda o: o.TrainConfig("slow"), ValueError, "no preset `slow`"),
         (lambda o: o.TrainConfig(settings={"run.stairs": 3}), ValueError, "stairs"),
         (lambda o: o.TrainConfig(settings={"run.steps": "many"}), ValueError, "steps"),

@@ -8,9 +8,8 @@ use std::sync::Mutex;
 use std::time::Duration;
 
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
+use muslin_device::grouped;
 use organza::{Error, Result};
-
-use super::summary::grouped;
 
 /// Prints notes for the user: the options of every command.
 #[derive(Clone, Copy, Debug, clap::Args)]

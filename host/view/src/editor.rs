@@ -9,7 +9,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use super::message::{MAX_SIDE, check};
-use super::training::Stage;
+use super::stage::Stage;
 use organza_core::error::refuse;
 use organza_core::image::{ChannelImage, TILE_SIDE};
 use organza_core::scene::{Gaussians, Scene, is_in_box};

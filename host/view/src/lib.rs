@@ -20,7 +20,9 @@ mod picture;
 mod places;
 mod queue;
 mod server;
+mod stage;
 mod training;
+mod training_status;
 pub mod web;
 
 pub use about::{About, Purpose};
@@ -30,4 +32,5 @@ pub use photographs::{PhotographSource, Photographs};
 pub use places::Places;
 pub use queue::Queue;
 pub use server::Server;
-pub use training::{Stage, TrainingView};
+pub use stage::Stage;
+pub use training::TrainingView;

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde_json::json;
 
 use super::about::visible_box;
-use super::training::Stage;
+use super::stage::Stage;
 use organza_core::Result;
 use organza_core::error::refuse;
 use organza_core::scene::Place;

@@ -24,7 +24,7 @@ use super::guard::{Access, Guard};
 use super::keyframes::{self, PathRequest};
 use super::message::{FrameRequest, PixelRequest, check};
 use super::queue::{Answer, FrameJob, Payload, Question, Queue};
-use super::training::{Command, TrainingStatus};
+use super::training_status::{Command, TrainingStatus};
 use organza_core::Camera;
 use organza_core::error::{self, Error, Result};
 use organza_report::{UPLOT_SCRIPT, UPLOT_STYLE};

@@ -1,16 +1,17 @@
-//! Shows a running training: renders images between its steps, within a part of the time, and keeps its curves and buttons.
+//! Shows a running training: renders images between its steps, within a part of the time.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::server::Server;
+use super::stage::Stage;
+use super::training_status::TrainingStatus;
 use crate::{About, FrameRenderer, PhotographSource, Photographs, Purpose, Queue};
 use organza_core::error::Result;
 use organza_data::{Dataset, Pose};
 use organza_render::{DeviceScene, Renderer};
 use organza_train::Event;
-use serde::Serialize;
 
 /// Longest delay until a signal ends the waiting.
 const PATIENCE: Duration = Duration::from_millis(100);
@@ -150,136 +151,4 @@ impl Drop for TrainingView<'_> {
     fn drop(&mut self) {
         self.queue.stop();
     }
-}
-
-/// Most points of a curve. If there are more, every second one is dropped.
-const MAX_POINTS: usize = 2000;
-
-/// A command from the page to a training.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Command {
-    /// Wait before the next step.
-    Pause,
-    /// Go on.
-    Go,
-    /// Take one step, then wait.
-    Step,
-    /// Save and stop.
-    Stop,
-}
-
-/// The state of a training that the page shows.
-#[derive(Debug, Default)]
-pub struct TrainingStatus {
-    state: Mutex<TrainingState>,
-}
-
-#[derive(Clone, Debug, Default, Serialize)]
-struct TrainingState {
-    step: u64,
-    steps: u64,
-    seconds: f64,
-    gaussians: usize,
-    paused: bool,
-    /// Whether the page has asked to stop.
-    stopping: bool,
-    /// Part of the time that images took.
-    share: f64,
-    curve: Curve,
-    evaluations: Evaluations,
-    /// Number of steps requested while the training waits.
-    #[serde(skip)]
-    wanted: u64,
-}
-
-/// A curve over steps. Each point is the mean of the steps since the previous point.
-#[derive(Clone, Debug, Default, Serialize)]
-struct Curve {
-    step: Vec<u64>,
-    loss: Vec<Option<f64>>,
-    psnr: Vec<Option<f64>>,
-    #[serde(skip)]
-    every: u64,
-    #[serde(skip)]
-    sum: [f64; 2],
-    #[serde(skip)]
-    count: u64,
-}
-
-#[derive(Clone, Debug, Default, Serialize)]
-struct Evaluations {
-    step: Vec<u64>,
-    psnr: Vec<Option<f64>>,
-}
-
-impl Curve {
-    fn push(&mut self, step: u64, values: [f64; 2]) {
-        self.count += 1;
-        self.sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
-        if self.count < self.every {
-            return;
-        }
-        let mean = self.sum.map(|sum| sum / self.count as f64);
-        let [loss, psnr] = mean.map(|mean| mean.is_finite().then_some(mean));
-        self.step.push(step);
-        self.loss.push(loss);
-        self.psnr.push(psnr);
-        self.sum = [0.0; 2];
-        self.count = 0;
-        if self.step.len() > MAX_POINTS {
-            self.every = 2 * self.every.max(1);
-            self.step = second(&self.step);
-            self.loss = second(&self.loss);
-            self.psnr = second(&self.psnr);
-        }
-    }
-}
-
-/// Every second value.
-fn second<T: Copy>(values: &[T]) -> Vec<T> {
-    values.iter().skip(1).step_by(2).copied().collect()
-}
-
-impl TrainingStatus {
-    fn state(&self) -> MutexGuard<'_, TrainingState> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Executes a command of the page.
-    pub fn command(&self, command: Command) {
-        let mut state = self.state();
-        match command {
-            Command::Pause => (state.paused, state.wanted) = (true, 0),
-            Command::Go => state.paused = false,
-            Command::Step => {
-                state.paused = true;
-                state.wanted += 1;
-            }
-            Command::Stop => state.stopping = true,
-        }
-    }
-
-    /// Whether to wait before the next step.
-    pub fn is_paused(&self) -> bool {
-        let state = self.state();
-        state.paused && state.wanted == 0 && !state.stopping
-    }
-
-    /// The whole state as JSON.
-    pub(super) fn to_json(&self) -> String {
-        let state = self.state().clone();
-        serde_json::to_string(&state).expect("numbers and names")
-    }
-}
-
-/// The current scene.
-#[derive(Clone, Copy, Debug)]
-pub struct Stage<'a> {
-    /// The renderer of the scene.
-    pub renderer: &'a Renderer,
-    /// The scene.
-    pub scene: &'a DeviceScene,
-    /// Changes with the scene: the number of training steps.
-    pub version: u64,
 }

@@ -9,7 +9,8 @@ use rayon::prelude::*;
 
 use crate::buffer::RawBuffer;
 use crate::cpu::Cpu;
-use crate::job::{KernelJob, Monitor, RunMode, Workgroups, bind, monitors};
+use crate::job::{KernelJob, RunMode, Workgroups, bind};
+use crate::races::{Monitor, monitors};
 use crate::thorough::Flushing;
 use crate::{Error, Result, panics, thorough};
 

@@ -1,11 +1,8 @@
 //! A dispatch: its workgroups, and on the CPU its bindings and the ways to run it.
 
-use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
-use muslin_kernel::memory::AccessMonitor;
+use muslin_kernel::kernel::{Access, CpuBinding, KernelInfo};
 
 use crate::buffer::{Memory, RawBuffer};
-use crate::cpu_memory::{Writer, Written};
-use crate::races::{Elements, Races};
 
 /// A kernel and its bindings.
 pub struct KernelJob<'a> {
@@ -106,52 +103,6 @@ pub fn bind(info: &KernelInfo, uniform: &[u8], buffers: &[&RawBuffer]) -> Vec<Cp
         bindings.push(CpuBinding { data, bytes, monitor: None });
     }
     bindings
-}
-
-/// Watches the accesses to a binding.
-pub enum Monitor<'a> {
-    Written(Races<'a>),
-    Read(Elements<'a>),
-}
-
-impl Monitor<'_> {
-    pub fn as_dyn(&self) -> &dyn AccessMonitor {
-        match self {
-            Self::Written(races) => races,
-            Self::Read(elements) => elements,
-        }
-    }
-}
-
-/// A monitor for every binding that is written, or that may have unwritten elements.
-pub fn monitors<'a>(
-    info: &KernelInfo,
-    bindings: &[CpuBinding<'_>],
-    buffers: &[&'a RawBuffer],
-    workgroups: Workgroups,
-) -> Vec<Option<Monitor<'a>>> {
-    let mut buffers = buffers.iter();
-    let monitor = |(binding_info, binding): (&BindingInfo, &CpuBinding<'_>)| {
-        if binding_info.access == Access::Uniform {
-            return None;
-        }
-        let buffer = buffers.next()?;
-        let (written, begin): (Option<&Written>, _) = match &buffer.memory {
-            Memory::Cpu(memory) => (memory.written(), buffer.begin as usize),
-            _ => (None, 0),
-        };
-        let elements = written.map(|written| Elements::new(binding_info, written, begin));
-        if binding_info.access != Access::Write {
-            return elements.map(Monitor::Read);
-        }
-        if let Some(written) = written {
-            let [kernel, name] = [info.name, binding_info.name];
-            written.set_writer(Writer { kernel, name });
-        }
-        let len = binding.bytes / binding_info.element_bytes as usize;
-        Some(Monitor::Written(Races::new(info, len, workgroups, elements)))
-    };
-    info.bindings.iter().zip(bindings).map(monitor).collect()
 }
 
 #[cfg(test)]

@@ -7,13 +7,60 @@ use std::sync::atomic::{AtomicPtr, AtomicU64, Ordering};
 
 use glam::UVec3;
 use muslin_kernel::invocation::Invocation;
-use muslin_kernel::kernel::CpuRun;
+use muslin_kernel::kernel::{Access, CpuBinding, CpuRun};
 use muslin_kernel::memory::{AccessMonitor, Touch};
 use muslin_kernel::running::{self, unlinear};
 use muslin_kernel::{BindingInfo, KernelInfo};
 
-use crate::cpu_memory::Written;
+use crate::buffer::{Memory, RawBuffer};
+use crate::cpu_memory::{Writer, Written};
 use crate::job::Workgroups;
+
+/// Watches the accesses to a binding.
+pub enum Monitor<'a> {
+    Written(Races<'a>),
+    Read(Elements<'a>),
+}
+
+impl Monitor<'_> {
+    pub fn as_dyn(&self) -> &dyn AccessMonitor {
+        match self {
+            Self::Written(races) => races,
+            Self::Read(elements) => elements,
+        }
+    }
+}
+
+/// A monitor for every binding that is written, or that may have unwritten elements.
+pub fn monitors<'a>(
+    info: &KernelInfo,
+    bindings: &[CpuBinding<'_>],
+    buffers: &[&'a RawBuffer],
+    workgroups: Workgroups,
+) -> Vec<Option<Monitor<'a>>> {
+    let mut buffers = buffers.iter();
+    let monitor = |(binding_info, binding): (&BindingInfo, &CpuBinding<'_>)| {
+        if binding_info.access == Access::Uniform {
+            return None;
+        }
+        let buffer = buffers.next()?;
+        let (written, begin): (Option<&Written>, _) = match &buffer.memory {
+            Memory::Cpu(memory) => (memory.written(), buffer.begin as usize),
+            _ => (None, 0),
+        };
+        let elements = written.map(|written| Elements::new(binding_info, written, begin));
+        if binding_info.access != Access::Write {
+            return elements.map(Monitor::Read);
+        }
+        if let Some(written) = written {
+            let [kernel, name] = [info.name, binding_info.name];
+            written.set_writer(Writer { kernel, name });
+        }
+        let len = binding.bytes / binding_info.element_bytes as usize;
+        Some(Monitor::Written(Races::new(info, len, workgroups, elements)))
+    };
+    info.bindings.iter().zip(bindings).map(monitor).collect()
+}
 
 /// The written elements of a binding.
 pub struct Elements<'a> {

@@ -6,7 +6,8 @@ use muslin_kernel::running;
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
 use crate::cpu_memory::Written;
-use crate::job::{Arithmetic, KernelJob, Monitor, Order, RunMode};
+use crate::job::{Arithmetic, KernelJob, Order, RunMode};
+use crate::races::Monitor;
 
 /// The elements of one binding that a kernel can write.
 struct Output<'a> {

@@ -9,7 +9,7 @@ use organza::{Error, Result};
 use super::frames::{IMAGES, copy};
 use super::judge::Judgment;
 use super::programs::{Call, command, output};
-use super::{CaptureJob, Matcher};
+use super::{CaptureJob, Matcher, SOME};
 use crate::cli::refuse;
 
 /// Folder of the undistorted images and their cameras, in the work.
@@ -23,9 +23,6 @@ const MATCHES: [&str; 2] = ["matches", "matches-of-all"];
 /// Up to this many images are few: they hold few parameters of a lens, and frames of a video are so far apart that all
 /// pairs cost only twice what neighbors cost.
 const FEW: usize = 50;
-/// Up to this many images, all pairs are compared in an hour or so: photographs, which may be in any order, and frames
-/// whose poses are missing after a comparison with neighbors.
-pub const SOME: usize = 200;
 /// With fewer poses than this part of the images, all pairs are compared after all.
 const ENOUGH: f64 = 0.8;
 /// Neighbors on each side that an image is compared with. COLMAP adds neighbors at distances of 2, 4, 8 and so on.

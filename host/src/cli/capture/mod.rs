@@ -71,6 +71,10 @@ pub struct Args {
     camera_model: Option<String>,
 }
 
+/// Up to this many images, all pairs are compared in an hour or so: photographs, which may be in any order, and frames
+/// whose poses are missing after a comparison with neighbors.
+const SOME: usize = 200;
+
 /// The images that an image is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Matcher {

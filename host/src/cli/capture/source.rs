@@ -10,8 +10,7 @@ use organza_core::hex;
 use organza_core::input::{has_extension, open_regular, read_file};
 use sha2::{Digest, Sha256};
 
-use super::Matcher;
-use super::colmap::SOME;
+use super::{Matcher, SOME};
 use crate::cli::console::Console;
 use crate::cli::inputs::FileKind;
 use crate::cli::refuse;

@@ -141,7 +141,7 @@ impl Storage for Host {
 
 /// A buffer of a GPU.
 #[cfg(feature = "gpu")]
-pub type GpuBuffer = crate::gpu::GpuMemory;
+pub type GpuBuffer = crate::gpu::memory::GpuMemory;
 
 /// No buffer: there is no GPU without the feature `gpu`.
 #[cfg(not(feature = "gpu"))]

@@ -5,7 +5,6 @@ use std::ops::Deref;
 use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 
 use super::pipeline::Pipeline;
-use crate::buffer::{Count, Memory, Total};
 use muslin_kernel::KernelInfo;
 
 /// Number of submissions after which unused memory returns to the driver.
@@ -135,19 +134,24 @@ pub struct Fill {
     pub placement: Vec<u32>,
 }
 
+/// A number that only the device knows: at index `place` of `counts`, without the items before `first`, at most `upper_bound`.
+#[derive(Clone, Copy, Debug)]
+pub struct PendingCount<'a> {
+    pub counts: &'a wgpu::Buffer,
+    pub place: u32,
+    pub first: u32,
+    pub upper_bound: u32,
+}
+
 impl Fills {
     /// Registers a number to be written to a word of the uniform buffer.
-    pub fn add(&mut self, pipeline: &Arc<Pipeline>, word: u32, count: &Count) {
-        let Some(Total { counts, place, first }) = count.total() else { return };
-        let Memory::Gpu(buffer) = &counts.raw().memory else {
-            panic!("the counts belong to the CPU")
-        };
-        assert_eq!(counts.raw().begin, 0, "counts have a buffer of their own");
-        let row = [word, *place, *first, count.upper_bound()];
-        match self.fills.iter_mut().find(|fill| fill.counts == **buffer) {
+    pub fn add(&mut self, pipeline: &Arc<Pipeline>, word: u32, count: &PendingCount<'_>) {
+        let PendingCount { counts, place, first, upper_bound } = *count;
+        let row = [word, place, first, upper_bound];
+        match self.fills.iter_mut().find(|fill| fill.counts == *counts) {
             Some(fill) => fill.placement.extend(row),
             None => self.fills.push(Fill {
-                counts: wgpu::Buffer::clone(buffer),
+                counts: counts.clone(),
                 pipeline: pipeline.clone(),
                 placement: row.to_vec(),
             }),

@@ -1,7 +1,7 @@
 //! The GPU backend: wgpu buffers, and dispatches queued into command buffers.
 
 mod adapter;
-mod memory;
+pub mod memory;
 mod pipeline;
 mod recorder;
 
@@ -10,11 +10,10 @@ use std::time::Duration;
 
 use muslin_kernel::{EntryPoint, KernelInfo};
 
-use crate::buffer::{Count, Memory, RawBuffer};
+use crate::buffer::{Count, Memory, RawBuffer, Total};
 use crate::{DeviceOptions, Error, Modules, Result, SpirvPath, Traffic};
 pub use adapter::adapters;
-pub use memory::GpuMemory;
-use memory::{COUNT_FILL, MemoryPool};
+use memory::{COUNT_FILL, GpuMemory, MemoryPool, PendingCount};
 use pipeline::{Pipelines, Variants};
 use recorder::{Counted, Recorder};
 
@@ -290,15 +289,19 @@ impl Gpu {
     ) -> Result<()> {
         self.check()?;
         let pipeline = self.pipelines.get(&self.device, kernel)?;
-        for total in counts.iter().filter_map(|(_, count)| count.total()) {
-            self.memory(total.counts.raw());
+        let mut pending = Vec::new();
+        for &(offset, count) in counts {
+            let Some(&Total { ref counts, place, first }) = count.total() else { continue };
+            assert_eq!(counts.raw().begin, 0, "counts have a buffer of their own");
+            let counts = self.memory(counts.raw());
+            let upper_bound = count.upper_bound();
+            pending.push((offset, PendingCount { counts, place, first, upper_bound }));
         }
-        let is_known = counts.iter().all(|(_, count)| count.is_known());
-        let fill = match is_known {
+        let fill = match pending.is_empty() {
             true => None,
             false => Some(self.pipelines.get(&self.device, &COUNT_FILL)?),
         };
-        let counts = fill.as_ref().map(|fill| Counted { counts, fill });
+        let counts = fill.as_ref().map(|fill| Counted { counts: &pending, fill });
         let buffers: Vec<_> = buffers
             .iter()
             .map(|buffer| wgpu::BufferBinding {

@@ -8,10 +8,9 @@ use std::time::Duration;
 use muslin_kernel::count::PLACEMENT_VALUES;
 use muslin_kernel::{Access, KernelInfo};
 
-use super::memory::{COUNT_FILL, Fill, Fills, MemoryPool, SUBMISSIONS};
+use super::memory::{COUNT_FILL, Fill, Fills, MemoryPool, PendingCount, SUBMISSIONS};
 use super::pipeline::Pipeline;
 use crate::Traffic;
-use crate::buffer::Count;
 
 /// Bytes of a uniform slot: the largest alignment that an adapter may require.
 const SLOT: u64 = 256;
@@ -23,7 +22,7 @@ const PLACEMENT: u64 = 5 * SLOT * SLOTS;
 #[derive(Clone, Copy, Debug)]
 pub struct Counted<'a> {
     /// Counts by their offset in the uniform buffer.
-    pub counts: &'a [(usize, &'a Count)],
+    pub counts: &'a [(usize, PendingCount<'a>)],
     /// Pipeline of `count_fill`.
     pub fill: &'a Arc<Pipeline>,
 }

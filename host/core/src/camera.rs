@@ -233,11 +233,13 @@ impl Camera {
     /// Right, down and forward in the world: the axes of OpenCV's camera, and the rows of the rotation from world to camera
     /// axes.
     pub fn axes(&self) -> [DVec3; 3] {
-        let column = |axis: usize, sign: f64| {
-            sign * DVec3::from_array(std::array::from_fn(|row| self.camera_to_world[row][axis]))
-        };
         // The pose is orthonormal, so its transpose is its inverse: columns become rows.
-        [column(0, 1.0), column(1, -1.0), column(2, -1.0)]
+        [self.column(0), -self.column(1), -self.column(2)]
+    }
+
+    /// A column of the pose, in world space: an axis of OpenGL's camera, or for 3 the camera's center.
+    pub(crate) fn column(&self, column: usize) -> DVec3 {
+        DVec3::from_array(std::array::from_fn(|row| self.camera_to_world[row][column]))
     }
 
     /// The direction of a place in the image, column and row, in the world; its depth is 1.
@@ -254,7 +256,7 @@ impl Camera {
 
     /// The camera's center in world space.
     pub fn eye(&self) -> [f64; 3] {
-        std::array::from_fn(|row| self.camera_to_world[row][3])
+        self.column(3).to_array()
     }
 
     /// Checks the pose and the intrinsics. Errors give the camera's index as `frame`.

@@ -136,12 +136,12 @@ type Moments = [f64; 5];
 impl Strip<'_> {
     /// The sum of SSIM over the valid windows and the channels, and the number of valid windows.
     fn similarity(&self, weights: &[f64; WINDOW]) -> (f64, u64) {
-        let counts = self.windows();
+        let valid = self.windows();
         let mut total = 0.0;
         for channel in 0..3 {
             let columns = self.columns(channel, weights);
-            for (window, counts) in columns.windows(WINDOW).zip(&counts) {
-                if *counts {
+            for (window, &is_valid) in columns.windows(WINDOW).zip(&valid) {
+                if is_valid {
                     let mut sums = Moments::default();
                     for (column, &weight) in window.iter().zip(weights) {
                         add(&mut sums, column, weight);
@@ -150,7 +150,7 @@ impl Strip<'_> {
                 }
             }
         }
-        (total, counts.iter().map(|&counts| u64::from(counts)).sum())
+        (total, valid.iter().map(|&is_valid| u64::from(is_valid)).sum())
     }
 
     /// The moments of each column of the strip.

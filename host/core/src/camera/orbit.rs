@@ -184,8 +184,8 @@ fn arc(azimuths: impl Iterator<Item = f64>) -> (f64, Option<f64>) {
 /// Without cameras the result is z, as in most data sets.
 pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) -> DVec3 {
     let count = cameras.len() as f64;
-    let mean = cameras.clone().map(|camera| column(camera, 1)).sum::<DVec3>() / count.max(1.0);
-    let back = cameras.clone().map(|camera| column(camera, 2)).sum::<DVec3>() / count.max(1.0);
+    let mean = cameras.clone().map(|camera| camera.column(1)).sum::<DVec3>() / count.max(1.0);
+    let back = cameras.clone().map(|camera| camera.column(2)).sum::<DVec3>() / count.max(1.0);
     if back.length() > PARALLEL {
         let back = back.normalize();
         if back.z > STRAIGHT {
@@ -196,16 +196,11 @@ pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) ->
         }
     }
     let level = cameras.fold(DMat3::from_diagonal(DVec3::splat(SLANT)), |sum, camera| {
-        let right = column(camera, 0);
+        let right = camera.column(0);
         sum + DMat3::from_cols(right * right.x, right * right.y, right * right.z) * (1.0 / count)
     });
     let up = (level.inverse() * mean).normalize_or_zero();
     if mean.length() < 1e-6 || up == DVec3::ZERO { DVec3::Z } else { up }
-}
-
-/// A column of the camera's pose: one of its axes, in world space.
-fn column(camera: &Camera, column: usize) -> DVec3 {
-    DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][column]))
 }
 
 #[cfg(test)]

@@ -53,6 +53,5 @@ impl Material {
 
 /// The inverse of the sigmoid; probabilities are clamped away from 0 and 1.
 pub fn logit(probability: f32) -> f32 {
-    let probability = probability.clamp(0.003, 0.997);
-    (probability / (1.0 - probability)).ln()
+    crate::scene::logit(probability.clamp(0.003, 0.997))
 }

@@ -153,11 +153,6 @@ impl Placement {
         (DVec3::from(self.offset) + offset).to_array()
     }
 
-    /// A direction of the world, in the scene.
-    pub fn own_direction(&self, direction: [f64; 3]) -> [f64; 3] {
-        (self.rotation().transpose() * DVec3::from(direction)).to_array()
-    }
-
     /// A direction of the scene, in the world.
     pub fn world_direction(&self, direction: [f64; 3]) -> [f64; 3] {
         (self.rotation() * DVec3::from(direction)).to_array()
@@ -252,10 +247,7 @@ fn rightward(first: &Camera, up: DVec3) -> DVec3 {
     if up.abs().max_element() == 1.0 {
         return if up.x == 0.0 { DVec3::X } else { -up.x * DVec3::Z };
     }
-    let axis = |column: usize| {
-        let axis = std::array::from_fn(|row| first.camera_to_world[row][column]);
-        DVec3::from_array(axis).reject_from_normalized(up)
-    };
+    let axis = |column: usize| first.column(column).reject_from_normalized(up);
     // a camera that looks straight down has an upper edge
     let level = if axis(2).length() > 1e-3 { axis(2) } else { axis(1) };
     level.try_normalize().unwrap_or_else(|| up.any_orthonormal_vector())
@@ -272,9 +264,7 @@ fn placed(camera: &Camera, turn: DMat3, eye: [f64; 3]) -> Camera {
     let mut placed = camera.clone();
     let rows = &mut placed.camera_to_world;
     for axis in 0..3 {
-        let column =
-            DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][axis]));
-        let turned = (turn * column).to_array();
+        let turned = (turn * camera.column(axis)).to_array();
         turned.into_iter().zip(rows.iter_mut()).for_each(|(value, row)| row[axis] = value);
     }
     eye.into_iter().zip(rows.iter_mut()).for_each(|(value, row)| row[3] = value);

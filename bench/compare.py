@@ -6,11 +6,11 @@
             'organza bench scene.safetensors cameras.json tiles.json --backend cpu --forward --json' forward_s \\
             'python peer.py scene.safetensors cameras.json tiles.json' total_s
 
-A pair is what is compared, our command and the key of our time, the peer's command and the key of its time. Each command
+A pair is our command and the key of our time, then the peer's command and the key of its time. Each command
 prints a JSON object, its last output. A key may be a sum: `kernels:dense+hash_grid` adds up the seconds of these entries of
-the list `kernels`. A round runs every pair, ours first in even rounds and last in odd ones, so that what else the machine
-does meets both; the ratio is the median of the rounds' ratios, peer by ours: above 1, ours is faster. Peak memory is that of
-a command's largest process, or what it prints as `peak_memory_bytes`. The standard library is enough.
+the list `kernels`. A round runs every pair, ours first in even rounds and last in odd ones, so that other
+work of the machine slows down both. The ratio is the median of the rounds' ratios, peer by ours: above 1, ours is faster. Peak
+memory is what a command prints as `peak_memory_bytes`, or else the peak of its largest process. The standard library is enough.
 """
 
 import argparse

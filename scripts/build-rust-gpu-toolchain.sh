@@ -54,7 +54,7 @@ link() {
 # Whether a sysroot holds a compiler that runs, and the backend.
 works() { [[ -f $1/lib/librustc_codegen_spirv.so ]] && "$1/bin/rustc" --version >/dev/null 2>&1; }
 
-# Whoever names a place wants the toolchain there.
+# With a place in the command, the toolchain is built there.
 if [[ -z $given_prefix ]] && linked=$(rustup run rust-gpu rustc --print sysroot 2>/dev/null) && works "$linked"; then
   say "already there: the rustup toolchain \`rust-gpu\` at $linked"
   exit 0

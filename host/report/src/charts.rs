@@ -101,7 +101,7 @@ fn speed(record: &Record) -> f64 {
     if let Record::Step { tiles_per_second, .. } = record { *tiles_per_second } else { f64::NAN }
 }
 
-/// Records of steps and of evaluations, thinned for drawing: those of tables 0 and 1.
+/// Records of steps and of evaluations, thinned for drawing: tables 0 and 1.
 struct Source<'a> {
     steps: Vec<&'a Record>,
     evaluations: Vec<&'a Record>,

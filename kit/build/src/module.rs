@@ -106,7 +106,7 @@ fn check_arrays(module: &naga::Module) -> Result<()> {
     Ok(())
 }
 
-/// Elements of an array, with those of arrays within.
+/// Elements of an array, and of all arrays in it.
 fn elements(module: &naga::Module, ty: Handle<naga::Type>) -> u32 {
     match &module.types[ty].inner {
         TypeInner::Array { base, size: ArraySize::Constant(len), .. } => {

@@ -65,8 +65,8 @@ impl Report {
             }
             done(case.kernel);
         }
-        let (adapter, driver) = (adapter.name.clone(), adapter.driver.clone());
-        Ok(Self { adapter, driver, path: path.as_str(), kernels })
+        let driver = adapter.driver.clone();
+        Ok(Self { adapter: adapter.name.clone(), driver, path: path.as_str(), kernels })
     }
 
     /// Whether every kernel is within its tolerance.

@@ -127,7 +127,8 @@ fn on_a_card() -> Option<(Renderer, impl Fn(&Renderer) -> Trainer)> {
     let options = DeviceOptions::gpu(SpirvPath::Passthrough).like_a_card(true);
     let renderer = Renderer::new(organza::open_device(&options).expect("a GPU"));
     let trainer = move |renderer: &Renderer| {
-        let (config, dataset) = (config.clone(), dataset.clone());
+        let config = config.clone();
+        let dataset = dataset.clone();
         Trainer::resume(renderer, config, dataset, &checkpoint).expect("a trainer")
     };
     Some((renderer, trainer))

@@ -253,7 +253,8 @@ fn a_scene_is_moved_in_a_browser() {
             2 => assert!(is_still && after.turn != before.turn && after.scale == first.scale),
             _ => assert!(is_still && off[3] > 0.01 && after.scale > first.scale, "{off:?}"),
         }
-        (before, at) = (after, moved);
+        before = after;
+        at = moved;
     }
     assert_eq!(page.eval("organza.view.camera"), pose, "the camera moves with the scene");
     page.wait(REST);

@@ -18,8 +18,10 @@ pub fn divides_by_zero(
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
     let members: Vec<u32> = (0..100).map(|i| i % 10).collect();
-    let (members, output) = (bench.input(&members)?, bench.output(100)?);
-    let (params, sum) = (Count { count: 100 }, bench.input(&[0; 100])?);
+    let members = bench.input(&members)?;
+    let output = bench.output(100)?;
+    let params = Count { count: 100 };
+    let sum = bench.input(&[0; 100])?;
     let kernel = DividesByZeroKernel { params, sum: &sum, members: &members, output: &output };
     bench.run(&kernel, 100)?;
     bench.expect(&output, |_| 0)

@@ -17,7 +17,8 @@ pub fn nan_in_a_helper(id: Invocation, params: &Count, size: Read<f32>, output: 
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (size, output) = (bench.input(&[1.0_f32, 8.5, -2.0])?, bench.output(3)?);
+    let size = bench.input(&[1.0_f32, 8.5, -2.0])?;
+    let output = bench.output(3)?;
     let params = Count { count: 3 };
     bench.run(&NanInAHelperKernel { params, size: &size, output: &output }, 3)?;
     bench.expect(&output, |i| [0, 3, 0][i as usize])

@@ -17,8 +17,10 @@ pub fn nan_of_an_empty_mean(
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (sum, weight) = (bench.input(&[1.0, 0.0, 4.0])?, bench.input(&[1.0, 0.0, 4.0])?);
-    let (params, output) = (Count { count: 3 }, bench.output(3)?);
+    let sum = bench.input(&[1.0, 0.0, 4.0])?;
+    let weight = bench.input(&[1.0, 0.0, 4.0])?;
+    let params = Count { count: 3 };
+    let output = bench.output(3)?;
     let kernel = NanOfAnEmptyMeanKernel { params, sum: &sum, weight: &weight, output: &output };
     bench.run(&kernel, 3)?;
     bench.expect(&output, |i| [1.0, 0.0, 1.0][i as usize])

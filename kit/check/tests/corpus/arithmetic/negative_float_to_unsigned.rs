@@ -16,7 +16,8 @@ pub fn negative_float_to_unsigned(
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (place, output) = (bench.input(&[3.0, 17.0, -1.0])?, bench.output(3)?);
+    let place = bench.input(&[3.0, 17.0, -1.0])?;
+    let output = bench.output(3)?;
     let params = Count { count: 3 };
     bench.run(&NegativeFloatToUnsignedKernel { params, place: &place, output: &output }, 3)?;
     bench.expect(&output, |i| [3, 1, 15][i as usize])

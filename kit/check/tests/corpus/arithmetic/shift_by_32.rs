@@ -11,7 +11,8 @@ pub fn shift_by_32(id: Invocation, params: &Count, bits: Read<u32>, output: Writ
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (bits, output) = (bench.input(&[4, 8, 32])?, bench.output(3)?);
+    let bits = bench.input(&[4, 8, 32])?;
+    let output = bench.output(3)?;
     bench.run(&ShiftBy32Kernel { params: Count { count: 3 }, bits: &bits, output: &output }, 3)?;
     bench.expect(&output, |i| [0xf, 0xff, u32::MAX][i as usize])
 }

@@ -11,7 +11,8 @@ pub fn square_by_pow(id: Invocation, params: &Count, distance: Read<f32>, output
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (distance, output) = (bench.input(&[1.0_f32, 0.0, -2.0])?, bench.output(3)?);
+    let distance = bench.input(&[1.0_f32, 0.0, -2.0])?;
+    let output = bench.output(3)?;
     let params = Count { count: 3 };
     bench.run(&SquareByPowKernel { params, distance: &distance, output: &output }, 3)?;
     bench.expect(&output, |i| [1.0, 0.0, 4.0][i as usize])

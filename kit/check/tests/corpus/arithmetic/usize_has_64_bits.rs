@@ -12,7 +12,8 @@ pub fn usize_has_64_bits(id: Invocation, params: &Count, rows: Read<u32>, output
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (rows, output) = (bench.input(&[1, 100, 70_000])?, bench.output(3)?);
+    let rows = bench.input(&[1, 100, 70_000])?;
+    let output = bench.output(3)?;
     let params = Count { count: 3 };
     bench.run(&UsizeHas64BitsKernel { params, rows: &rows, output: &output }, 3)?;
     bench.expect(&output, |i| [70, 7000, 4_900_000][i as usize])

@@ -16,7 +16,8 @@ pub fn barrier_for_storage(
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (scratch, output) = (bench.output(64)?, bench.output(64)?);
+    let scratch = bench.output(64)?;
+    let output = bench.output(64)?;
     bench.run(&BarrierForStorageKernel { scratch: &scratch, output: &output }, 64)?;
     bench.expect(&output, |i| i ^ 1)
 }

@@ -25,7 +25,8 @@ pub fn reduction_without_barrier(
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&[1; 128])?, bench.output(2)?);
+    let input = bench.input(&[1; 128])?;
+    let output = bench.output(2)?;
     bench.run(&ReductionWithoutBarrierKernel { input: &input, output: &output }, 128)?;
     bench.expect(&output, |_| 64)
 }

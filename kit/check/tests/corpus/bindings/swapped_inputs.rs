@@ -19,7 +19,8 @@ pub fn swapped_inputs(
 pub fn test(bench: &Bench) -> Result<(), Found> {
     let first = bench.device.upload("first", &[3.0; 100])?;
     let second = bench.device.upload("second", &[2.0; 100])?;
-    let (params, output) = (Count { count: 100 }, bench.output(100)?);
+    let params = Count { count: 100 };
+    let output = bench.output(100)?;
     let kernel = SwappedInputsKernel { params, first: &second, second: &first, output: &output };
     bench.run(&kernel, 100)?;
     bench.expect(&output, |_| 1.0)

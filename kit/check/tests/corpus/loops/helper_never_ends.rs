@@ -5,7 +5,8 @@ use crate::bug::*;
 /// The largest integer whose square is at most `x`.
 #[loops]
 fn root(x: u32) -> u32 {
-    let (mut low, mut high) = (0, 1 << 16);
+    let mut low = 0;
+    let mut high = 1 << 16;
     //~
     while low < high {
         let middle = (low + high) / 2;
@@ -24,7 +25,8 @@ pub fn helper_never_ends(id: Invocation, input: Read<u32>, output: Write<u32>) {
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&[9; 64])?, bench.output(64)?);
+    let input = bench.input(&[9; 64])?;
+    let output = bench.output(64)?;
     bench.run(&HelperNeverEndsKernel { input: &input, output: &output }, 64)?;
     bench.expect(&output, |_| 3)
 }

@@ -4,7 +4,8 @@ use crate::bug::*;
 
 #[kernel(threads(64), iterations = 8)]
 pub fn understated(id: Invocation, input: Read<u32>, output: Write<u32>) {
-    let (mut sum, mut i) = (0, 0);
+    let mut sum = 0;
+    let mut i = 0;
     //~
     while i < 16 {
         sum += input.read(16 * id.index() + i);
@@ -14,7 +15,8 @@ pub fn understated(id: Invocation, input: Read<u32>, output: Write<u32>) {
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&[1; 1024])?, bench.output(64)?);
+    let input = bench.input(&[1; 1024])?;
+    let output = bench.output(64)?;
     bench.run(&UnderstatedKernel { input: &input, output: &output }, 64)?;
     bench.expect(&output, |_| 16)
 }

@@ -11,7 +11,8 @@ pub fn denormal_is_not_zero(id: Invocation, params: &Count, weight: Read<f32>, c
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (weight, counts) = (bench.input(&[0.0_f32, 1e-40, 1.0])?, bench.output(3)?);
+    let weight = bench.input(&[0.0_f32, 1e-40, 1.0])?;
+    let counts = bench.output(3)?;
     let params = Count { count: 3 };
     bench.run(&DenormalIsNotZeroKernel { params, weight: &weight, counts: &counts }, 3)?;
     bench.expect(&counts, |i| u32::from(i > 0))

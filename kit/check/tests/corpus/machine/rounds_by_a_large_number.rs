@@ -20,7 +20,8 @@ pub fn rounds_by_a_large_number(
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&[3.0_f32, 0.4, -7.6])?, bench.output(3)?);
+    let input = bench.input(&[3.0_f32, 0.4, -7.6])?;
+    let output = bench.output(3)?;
     let params = Count { count: 3 };
     bench.run(&RoundsByALargeNumberKernel { params, input: &input, output: &output }, 3)?;
     bench.expect(&output, |i| [3.0, 0.0, -8.0][i as usize])

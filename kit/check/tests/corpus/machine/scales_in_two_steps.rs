@@ -13,7 +13,8 @@ pub fn scales_in_two_steps(id: Invocation, params: &Count, input: Read<f32>, out
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&[0.0_f32, 1e38])?, bench.output(2)?);
+    let input = bench.input(&[0.0_f32, 1e38])?;
+    let output = bench.output(2)?;
     let params = Count { count: 2 };
     bench.run(&ScalesInTwoStepsKernel { params, input: &input, output: &output }, 2)?;
     bench.expect(&output, |i| [0.0, (1e8_f32) * STEP][i as usize])

@@ -13,7 +13,8 @@ pub fn reader_before_publisher(id: Invocation, shared: Write<u32>, output: Write
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (shared, output) = (bench.holding(&[0; 1])?, bench.output(100)?);
+    let shared = bench.holding(&[0; 1])?;
+    let output = bench.output(100)?;
     bench.run(&ReaderBeforePublisherKernel { shared: &shared, output: &output }, 100)?;
     bench.expect(&output, |_| 7)
 }

@@ -10,7 +10,8 @@ pub fn ticket_in_the_result(id: Invocation, next: Write<u32>, number: Write<u32>
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (next, number) = (bench.holding(&[0; 1])?, bench.output(100)?);
+    let next = bench.holding(&[0; 1])?;
+    let number = bench.output(100)?;
     bench.run(&TicketInTheResultKernel { next: &next, number: &number }, 100)?;
     bench.expect(&number, |i| i)
 }

@@ -10,7 +10,8 @@ pub fn lanes_past_the_end<L: Lane>(
     output: Write<f32>,
 ) {
     if id.index() == 0 {
-        let (mut sum, mut at) = (L::splat(0.0), 0);
+        let mut sum = L::splat(0.0);
+        let mut at = 0;
         while at < params.count {
             sum = sum + L::read(input, at); //~
             at += L::WIDTH;
@@ -20,7 +21,8 @@ pub fn lanes_past_the_end<L: Lane>(
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&[1.0; 100])?, bench.output(1)?);
+    let input = bench.input(&[1.0; 100])?;
+    let output = bench.output(1)?;
     let params = Count { count: 100 };
     bench.run(&LanesPastTheEndKernel { params, input: &input, output: &output }, 1)?;
     bench.expect(&output, |_| 100.0)

@@ -8,7 +8,8 @@ pub fn no_test_of_the_index(id: Invocation, input: Read<f32>, output: Write<f32>
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&[1.0; 100])?, bench.output(100)?);
+    let input = bench.input(&[1.0; 100])?;
+    let output = bench.output(100)?;
     bench.run(&NoTestOfTheIndexKernel { input: &input, output: &output }, 100)?;
     bench.expect(&output, |_| 2.0)
 }

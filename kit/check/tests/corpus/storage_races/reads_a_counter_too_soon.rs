@@ -11,7 +11,8 @@ pub fn reads_a_counter_too_soon(id: Invocation, counter: Write<u32>, output: Wri
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (counter, output) = (bench.holding(&[0; 1])?, bench.output(1)?);
+    let counter = bench.holding(&[0; 1])?;
+    let output = bench.output(1)?;
     bench.run(&ReadsACounterTooSoonKernel { counter: &counter, output: &output }, 256)?;
     bench.expect(&output, |_| 256)
 }

@@ -16,7 +16,8 @@ pub fn scatter_with_duplicates(
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
     let target: Vec<u32> = (0..128).map(|i| i % 100).collect();
-    let (target, output) = (bench.input(&target)?, bench.output(100)?);
+    let target = bench.input(&target)?;
+    let output = bench.output(100)?;
     let params = Count { count: 128 };
     bench.run(&ScatterWithDuplicatesKernel { params, target: &target, output: &output }, 128)?;
     bench.expect(&output, |i| if i < 28 { 100 + i } else { i })

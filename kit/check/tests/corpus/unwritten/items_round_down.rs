@@ -10,7 +10,8 @@ pub fn items_round_down(id: Invocation, params: &Count, output: Write<u32>) {
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (count, output) = (100, bench.output(100)?);
+    let count = 100;
+    let output = bench.output(100)?;
     let kernel = ItemsRoundDownKernel { params: Count { count }, output: &output };
     bench.run(&kernel, count / 64 * 64)?;
     bench.expect(&output, |i| i)

@@ -10,7 +10,8 @@ pub fn last_element(id: Invocation, params: &Count, input: Read<f32>, output: Wr
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&[1.0; 100])?, bench.output(100)?);
+    let input = bench.input(&[1.0; 100])?;
+    let output = bench.output(100)?;
     let params = Count { count: 100 };
     bench.run(&LastElementKernel { params, input: &input, output: &output }, 100)?;
     bench.expect(&output, |_| 2.0)

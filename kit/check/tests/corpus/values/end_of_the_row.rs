@@ -13,7 +13,8 @@ pub fn end_of_the_row(id: Invocation, params: &Size, image: Read<u32>, output: W
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (image, output) = (bench.input(&numbers(160))?, bench.output(160)?);
+    let image = bench.input(&numbers(160))?;
+    let output = bench.output(160)?;
     let params = Size { width: 16, height: 10 };
     bench.device.run_over(&EndOfTheRowKernel { params, image: &image, output: &output }, [16, 10, 1])?;
     bench.expect(&output, |i| if i % 16 == 15 { i } else { i + 1 })

@@ -21,7 +21,8 @@ pub fn counts_read_too_soon(
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&numbers(64))?, bench.output(8)?);
+    let input = bench.input(&numbers(64))?;
+    let output = bench.output(8)?;
     bench.run(&CountsReadTooSoonKernel { input: &input, output: &output }, 64)?;
     bench.expect(&output, |_| 8)
 }

@@ -10,7 +10,9 @@ pub fn end_of_the_last_tile(
     output: Write<u32>,
     tile: Shared<u32, 64>,
 ) {
-    let (at, mut sum, mut first) = (id.local_index(), 0, 0);
+    let at = id.local_index();
+    let mut sum = 0;
+    let mut first = 0;
     while first < params.count {
         if first + at < params.count {
             tile.write(at, input.read(first + at));
@@ -29,7 +31,8 @@ pub fn end_of_the_last_tile(
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, output) = (bench.input(&[1; 100])?, bench.output(64)?);
+    let input = bench.input(&[1; 100])?;
+    let output = bench.output(64)?;
     let params = Count { count: 100 };
     bench.run(&EndOfTheLastTileKernel { params, input: &input, output: &output }, 64)?;
     bench.expect(&output, |_| 100)

@@ -83,6 +83,8 @@ fn missing_files_are_named_before_a_device_is_opened() {
     for words in [
         "eval nothing",
         "render nothing cameras.json -o out",
+        "tiles scene.safetensors nothing tiles.json -o out",
+        "tiles scene.safetensors cameras.json nothing -o out",
         "train nothing -o run",
         "info nothing",
     ] {

@@ -2,21 +2,7 @@
 
 use serde_json::json;
 
-use crate::sandbox::Sandbox;
-
-const TILES: &str =
-    "tiles scene.safetensors cameras.json tiles.json -o out.safetensors --backend cpu";
-const RENDER: &str = "render scene.safetensors cameras.json -o images --backend cpu";
-
-#[test]
-fn missing_files() {
-    for name in ["scene.safetensors", "cameras.json", "tiles.json"] {
-        let sandbox = Sandbox::new("tiny");
-        sandbox.remove(name);
-        sandbox.assert_refuses(TILES, &[name, "no such file"]);
-        sandbox.assert_refuses(&format!("info {name}"), &[name, "no such file"]);
-    }
-}
+use crate::sandbox::{RENDER, Sandbox, TILES};
 
 #[test]
 fn folders_and_devices_are_no_files() {
@@ -36,16 +22,18 @@ fn damaged_files_are_refused_by_each_command() {
     let sandbox = Sandbox::new("tiny");
     let whole = sandbox.read("scene.safetensors");
     sandbox.write("scene.safetensors", &whole[..whole.len() - 1]);
+    let tiles: &str = &format!("{TILES} -o out");
+    let render: &str = &format!("{RENDER} -o images");
     let explain = "explain scene.safetensors cameras.json --pixel 1,1";
-    for words in [TILES, RENDER, explain, "info scene.safetensors"] {
+    for words in [tiles, render, explain, "info scene.safetensors"] {
         sandbox.assert_refuses(words, &["scene.safetensors", "cut short"]);
     }
     sandbox.write("scene.safetensors", whole);
     sandbox.edit_json("tiles.json", "/tiles/2/camera", json!(7));
     let facts = ["tiles.json", "tile 2", "camera 7, but cameras are 0 to 1"];
-    sandbox.assert_refuses(TILES, &facts);
+    sandbox.assert_refuses(tiles, &facts);
     sandbox.write("cameras.json", "{\"frames\": [");
-    for words in [TILES, RENDER, explain, "info cameras.json"] {
+    for words in [tiles, render, explain, "info cameras.json"] {
         sandbox.assert_refuses(words, &["cameras.json", "line 1 column 12"]);
     }
 }

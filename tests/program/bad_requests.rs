@@ -90,14 +90,13 @@ fn views_of_the_same_cameras_add_up() {
 fn other_files_are_refused_unless_they_may_stay() {
     let sandbox = Sandbox::new("tiny");
     let film = "film scene.safetensors cameras.json --backend cpu -o out --frames 2";
-    for name in ["out/0000.png", "out/mine.png"] {
-        sandbox.write(name, "mine");
-    }
-    for words in [&format!("{RENDER} -o out"), film] {
+    for (words, image) in [(&*format!("{RENDER} -o out"), "out/0000.png"), (film, "out/00001.png")]
+    {
+        sandbox.write(image, "mine");
+        sandbox.write("out/mine.png", "mine");
         sandbox.assert_refuses(words, &["out has other files, such as ", "--overwrite"]);
         sandbox.run(&format!("{words} --overwrite")).assert_ok();
         assert_eq!(sandbox.read("out/mine.png"), b"mine");
+        assert!(sandbox.read(image).starts_with(b"\x89PNG"), "{image} is not replaced");
     }
-    let image = sandbox.read("out/0000.png");
-    assert!(image.starts_with(b"\x89PNG"), "the image is not replaced");
 }

@@ -56,20 +56,6 @@ fn an_animated_png_has_the_frames_and_their_pace() {
     }
 }
 
-/// Files that do not belong to the film stay unchanged.
-#[test]
-fn no_file_of_the_users_is_lost() {
-    let sandbox = Sandbox::new("tiny");
-    sandbox.write("frames/00001.png", "mine");
-    sandbox.write("frames/notes.txt", "mine");
-    let words = format!("{FILM} -o frames --frames 2");
-    sandbox.assert_refuses(&words, &["frames has other files", "--overwrite"]);
-    assert_eq!(sandbox.read("frames/00001.png"), b"mine");
-    sandbox.run(&format!("{words} --overwrite")).assert_ok();
-    assert!(sandbox.read("frames/00001.png") != b"mine");
-    assert_eq!(sandbox.read("frames/notes.txt"), b"mine");
-}
-
 #[test]
 fn bad_options_are_refused_at_once() {
     let sandbox = Sandbox::new("tiny");

@@ -39,8 +39,8 @@ pub struct Project {
     pub sources: Vec<String>,
     /// The folder of the modules and their manifest, relative to the workspace.
     pub kernels: String,
-    /// Whether to translate the kernels to WGSL, too, for browsers: this needs the feature `wgsl`. Variants are left
-    /// out, because browsers refuse their barriers.
+    /// Whether to translate the kernels to WGSL, too, for browsers. Variants are left out, because browsers refuse their
+    /// barriers.
     pub wgsl: bool,
     /// Cargo's target folder.
     pub target: PathBuf,

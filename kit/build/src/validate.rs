@@ -2,6 +2,7 @@
 
 use anyhow::{Result, bail};
 use naga::Module;
+use naga::back::wgsl::{WriterFlags, write_string};
 use naga::front::spv;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
@@ -45,10 +46,7 @@ const CAUSES: [(&str, &str); 2] = [
 ];
 
 /// Translates a module to WGSL.
-#[cfg(feature = "wgsl")]
 pub fn to_wgsl(spirv: &[u8]) -> Result<String> {
-    use naga::back::wgsl::{WriterFlags, write_string};
-
     // The largest f32 as naga writes it. In decimal it is rounded up, so browsers refuse it
     // (https://github.com/gfx-rs/wgpu/issues/10106).
     const LARGEST: &str = "340282350000000000000000000000000000000f";
@@ -60,10 +58,4 @@ pub fn to_wgsl(spirv: &[u8]) -> Result<String> {
     })?;
     let text = write_string(&module, &info, WriterFlags::empty())?;
     Ok(text.replace(LARGEST, LARGEST_IN_HEX))
-}
-
-/// Always fails, because the program was built without the feature `wgsl`.
-#[cfg(not(feature = "wgsl"))]
-pub fn to_wgsl(_: &[u8]) -> Result<String> {
-    bail!("this xtask was built without the feature `wgsl` of muslin-build")
 }

@@ -72,6 +72,11 @@ fn forward_alone() {
     assert_eq!(found["forward_backward_s"], Value::Null);
     assert_eq!(found["kernels"], found["forward_kernels"]);
     assert_eq!(dispatches(&found["kernels"], "project_backward"), None);
+    // an image has no gradients
+    let frame = "bench scene.safetensors --frame --size 100x50 --half-grids --repeat 1 --backend cpu --json";
+    let found = sandbox.run(frame).json();
+    assert_eq!((&found["tiles"], &found["side"]), (&2.into(), &64.into()));
+    assert_eq!(found["forward_backward_s"], Value::Null);
 }
 
 #[test]
@@ -124,6 +129,7 @@ fn bad_requests() {
     let bench = "bench scene.safetensors cameras.json";
     for (words, facts) in [
         (format!("{bench} tiles.json --repeat 0"), ["--repeat", "'0'"]),
+        (format!("{bench} tiles.json --half-grids"), ["--half-grids", "add `--forward`"]),
         (bench.to_owned(), ["required", "arguments"]),
     ] {
         sandbox.assert_refuses(&words, &facts);

@@ -382,9 +382,12 @@ fn a_page_replaces_no_other() {
         .run("export-web scene.safetensors -o run")
         .assert_refused(&["run holds a training run", "choose another folder"]);
     // a page of its own may
-    for _ in 0..2 {
-        sandbox.run("export-web scene.safetensors -o page --size 64x48").assert_ok();
-    }
+    let bytes_of_scene = |options: &str| {
+        let words = format!("export-web scene.safetensors -o page --size 64x48 {options}");
+        sandbox.run(&words).assert_ok();
+        sandbox.read("page/scene.js").len()
+    };
+    assert!(bytes_of_scene("") < bytes_of_scene("--full-grids"));
     let files = sandbox.contents("page");
     assert!(
         files.keys().eq(&["index.html", "page.js", "poster.jpg", "scene.js"]),

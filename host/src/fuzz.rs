@@ -17,7 +17,8 @@ pub type Target = fn(&[u8]);
 pub const TARGETS: [(&str, Target); 12] = [
     ("scene", scene),
     ("cameras", |bytes| {
-        let _ = parse_json(bytes, origin()).map(|file| parse::cameras(&file, origin()));
+        let cameras = parse_json(bytes, origin()).and_then(|file| parse::cameras(&file, origin()));
+        assert!(cameras.unwrap_or_default().iter().all(|camera| camera.check().is_ok()));
     }),
     ("tiles", |bytes| {
         let _ = parse_json(bytes, origin()).map(|file| TileBatch::parse(&file, origin()));

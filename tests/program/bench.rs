@@ -31,11 +31,6 @@ fn assert_shards(kernels: &Value) {
 fn a_batch_is_measured() {
     let sandbox = Sandbox::new("crowded");
     let found = sandbox.run(&format!("{BENCH} --backend cpu --json")).json();
-    let keys: Vec<_> = found.as_object().unwrap().keys().map(String::as_str).collect();
-    let expected = "degenerate device forward_backward_s forward_kernels forward_peak_memory_bytes forward_s \
-        gaussians kernels members pairs parts peak_memory_bytes repeat \
-        samples side tiles";
-    assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
     assert_eq!(found["repeat"], 2);
     for key in ["forward_s", "forward_backward_s"] {
         assert!(found[key].as_f64().is_some_and(|seconds| seconds > 0.0), "{key}: {found}");
@@ -129,7 +124,6 @@ fn bad_requests() {
     let bench = "bench scene.safetensors cameras.json";
     for (words, facts) in [
         (format!("{bench} tiles.json --repeat 0"), ["--repeat", "'0'"]),
-        (format!("{bench} tiles.json --half-grids"), ["--half-grids", "add `--forward`"]),
         (bench.to_owned(), ["required", "arguments"]),
     ] {
         sandbox.assert_refuses(&words, &facts);

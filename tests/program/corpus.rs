@@ -5,6 +5,7 @@ use std::path::Path;
 
 use muslin_check::inputs::Random;
 use organza::fuzz::TARGETS;
+use serde_json::Value;
 
 use crate::held::run;
 
@@ -46,7 +47,7 @@ fn mutate_bytes(bytes: &mut Vec<u8>, random: &mut Random) {
     }
     let at = below(bytes.len());
     let end = (at + 1 + below(16)).min(bytes.len());
-    match below(7) {
+    match below(8) {
         0 => bytes.truncate(at),
         1 => bytes[at..end].iter_mut().for_each(|byte| *byte ^= 1 << below(8)),
         2 => bytes[at..end].fill([0, 0xff, 0x7f, 0x80][below(4)]),
@@ -62,8 +63,68 @@ fn mutate_bytes(bytes: &mut Vec<u8>, random: &mut Random) {
             let length = bytes[from..].iter().take_while(|byte| is_number(byte)).count();
             bytes.splice(from..from + length, VALUES[below(VALUES.len())].bytes());
         }
-        _ => drop(bytes.splice(at..end, VALUES[below(VALUES.len())].bytes())),
+        6 => drop(bytes.splice(at..end, VALUES[below(VALUES.len())].bytes())),
+        _ => mutate_json(bytes, random),
     }
+}
+
+/// Replaces a value of a JSON file, or of the header of a safetensors file.
+fn mutate_json(bytes: &mut Vec<u8>, random: &mut Random) {
+    let length = bytes.first_chunk().map_or(0, |word| u64::from_le_bytes(*word));
+    let header = 8..8_usize.saturating_add(length as usize);
+    let text = bytes.get(header.clone()).unwrap_or(bytes);
+    let Ok(mut json) = serde_json::from_slice(text) else { return };
+    let is_header = text.len() < bytes.len();
+    replace_value(&mut json, random);
+    let text = json.to_string().into_bytes();
+    if is_header {
+        bytes.splice(..8, (text.len() as u64).to_le_bytes());
+        bytes.splice(header, text);
+    } else {
+        *bytes = text;
+    }
+}
+
+/// Replaces one value at any depth. A text may be JSON itself, as a scene's configuration is.
+fn replace_value(root: &mut Value, random: &mut Random) {
+    let mut places = Vec::new();
+    add_places(root, String::new(), &mut places);
+    let is_json = |place: &&String| {
+        root.pointer(place).and_then(Value::as_str).is_some_and(|text| text.starts_with('{'))
+    };
+    let texts: Vec<_> = places.iter().filter(is_json).cloned().collect();
+    let some = if !texts.is_empty() && random.below(2) == 0 { texts } else { places };
+    let place = &some[random.below(some.len() as u32) as usize];
+    let Some(value) = root.pointer_mut(place) else { return };
+    let within = value.as_str().and_then(|text| serde_json::from_str(text).ok());
+    *value = match within.filter(Value::is_object) {
+        Some(mut json) => {
+            replace_value(&mut json, random);
+            json.to_string().into()
+        }
+        None => {
+            let other = VALUES[random.below(VALUES.len() as u32) as usize];
+            serde_json::from_str(other).unwrap_or_default()
+        }
+    };
+}
+
+/// The JSON pointers of a value and of all values in it.
+fn add_places(value: &Value, place: String, places: &mut Vec<String>) {
+    match value {
+        Value::Object(object) => {
+            for (key, value) in object {
+                add_places(value, format!("{place}/{key}"), places);
+            }
+        }
+        Value::Array(list) => {
+            for (at, value) in list.iter().enumerate() {
+                add_places(value, format!("{place}/{at}"), places);
+            }
+        }
+        _ => {}
+    }
+    places.push(place);
 }
 
 /// A number from an environment variable.

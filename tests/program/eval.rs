@@ -26,12 +26,9 @@ fn assert_within(value: &Value, range: std::ops::RangeInclusive<f64>) {
 fn rounding_is_all_that_a_scene_lacks_of_its_own_images() {
     let sandbox = sandbox();
     let found = eval(&sandbox, "--split all --json").json();
-    let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
-    assert_eq!(keys(&found), ["mean", "views"]);
     let views = found["views"].as_array().unwrap();
     assert_eq!(views.len(), 2);
     for (view, name) in views.iter().zip(["images/0000.png", "images/0001.png"]) {
-        assert_eq!(keys(view), ["name", "psnr", "ssim"]);
         assert_eq!(view["name"], name);
         // a variance of 1/12 of one of 255 levels is 58.9 dB
         assert_within(&view["psnr"], 58.0..=62.0);

@@ -1,10 +1,8 @@
 //! Every way in which a scene can be wrong gives an error that says so, and never a panic.
 
-use proptest::prelude::*;
 use serde_json::{Value, json};
 
 use super::*;
-use crate::input::nasty::{nasty_value, replace_value};
 
 /// Asserts that a message contains all the facts.
 #[track_caller]
@@ -162,54 +160,4 @@ fn empty_scene_file() {
         header.insert("gaussians.position".to_owned(), info);
     });
     assert_refused(&bytes, &["no Gaussians"]);
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 512, ..ProptestConfig::default() })]
-
-    #[test]
-    fn truncated_files_are_errors(keep in 0_f64..1.0) {
-        let bytes = tiny_bytes();
-        let length = (keep * bytes.len() as f64) as usize;
-        prop_assert!(load(&bytes[..length]).is_err());
-    }
-
-    /// Replaces any one value of the header or the configuration by a nasty one.
-    #[test]
-    fn nasty_values_load_validly_or_fail(
-        place in any::<prop::sample::Index>(),
-        nasty in nasty_value(),
-        in_config in any::<bool>(),
-    ) {
-        let bytes = if in_config {
-            with_config(|config| replace_value(config, place, nasty))
-        } else {
-            with_header(|header| {
-                let mut value = Value::Object(std::mem::take(header));
-                replace_value(&mut value, place, nasty);
-                *header = value.as_object().cloned().unwrap_or_default();
-            })
-        };
-        if let Ok(scene) = load(&bytes) {
-            prop_assert!(scene.validate().is_ok());
-        }
-    }
-
-    #[test]
-    fn damaged_files_load_validly_or_fail(
-        flips in prop::collection::vec((any::<prop::sample::Index>(), 1_u8..), 1..8),
-        in_header in any::<bool>(),
-    ) {
-        let mut bytes = tiny_bytes();
-        // Most of the file is data, but damage is dangerous in the header.
-        let length = if in_header { 2600 } else { bytes.len() };
-        for (index, flip) in flips {
-            bytes[index.index(length)] ^= flip;
-        }
-        if let Ok(scene) = load(&bytes) {
-            prop_assert!(scene.validate().is_ok());
-            // A scene that loads must not cause a panic.
-            let _ = scene.warnings();
-        }
-    }
 }

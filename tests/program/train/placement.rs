@@ -7,6 +7,7 @@ use organza::scene::Placement;
 use organza::splats::{Format, SplatFile};
 use organza::train::CHECKPOINT;
 use organza::{Camera, Scene, splats};
+use organza_tests::cases;
 use serde_json::{Value, json};
 
 use super::runs::{TINY, built_in, sandbox};
@@ -51,11 +52,8 @@ fn a_world_is_learned_alike_in_any_units_and_anywhere() {
 
 /// Few Gaussians of the built-in scene, which are larger.
 fn few() -> Scene {
-    let mut scene = built_in();
-    let some: Vec<_> = (0..scene.gaussians.len()).step_by(16).collect();
-    scene.gaussians = scene.gaussians.select(&some);
-    let scales = scene.gaussians.log_scale.as_flattened_mut();
-    scales.iter_mut().for_each(|log| *log += 4_f32.ln());
+    let mut scene = cases::thinned(16, 4_f32.ln());
+    scene.config.step = built_in().config.step;
     scene
 }
 

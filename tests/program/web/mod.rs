@@ -8,7 +8,7 @@ use organza::scene::{self, Contraction};
 use organza::{
     Camera, DeviceScene, MODULES, RenderedTiles, Renderer, Scene, TileBatch, UploadOptions, demo,
 };
-use organza_tests::devices;
+use organza_tests::{cases, devices};
 use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
@@ -20,23 +20,14 @@ const SIZE: [u32; 2] = [160, 128];
 const WINDOW: [u32; 2] = [400, 320];
 const AT_REST: &str = "document.documentElement.dataset.quality === 'rest'";
 
-/// 400 Gaussians of the built-in scene, enlarged so that each lies in several tiles.
-fn thinned() -> Scene {
-    let mut scene = demo::scene();
-    let count = scene.gaussians.len();
-    let some: Vec<_> = (0..400).map(|index| index * count / 400).collect();
-    scene.gaussians = scene.gaussians.select(&some);
-    // A browser without a GPU takes long for samples.
-    scene.config.step *= 4.0;
-    scene.gaussians.log_scale.as_flattened_mut().iter_mut().for_each(|scale| *scale += 2.2);
-    scene
-}
-
-/// A sandbox with that scene, cameras around it, and cameras far away. `outside` is the same scene, with a box that
-/// contains only half of it.
+/// A sandbox with some of the built-in scene's Gaussians, enlarged, cameras around them, and cameras far away. `outside` is the
+/// same scene, with a box that contains only half of it.
 fn sandbox() -> (Sandbox, [Scene; 2], Vec<Camera>) {
     let sandbox = Sandbox::new("tiny");
-    let scene = thinned();
+    // each lies in several tiles
+    let mut scene = cases::thinned(80, 2.2);
+    // a browser without a GPU takes long for samples
+    scene.config.step *= 4.0;
     let mut outside = scene.clone();
     outside.config.contraction = Contraction::Cube;
     outside.config.occupancy = 24;

@@ -44,6 +44,16 @@ fn handle_of(page: &mut Page, tool: &str, index: usize) -> [f64; 2] {
     serde_json::from_value(place).expect("a place")
 }
 
+/// The displayed image.
+fn shown(page: &mut Page) -> RgbImage {
+    pixels(&base64(page.eval(SHOWN).as_str().expect("bytes")))
+}
+
+/// The camera of the displayed image.
+fn camera(page: &mut Page) -> Value {
+    page.eval("organza.view.camera")
+}
+
 /// The output of `render` for these scenes and the camera of the page.
 fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value, scenes: &str) -> RgbImage {
     let file = viewer.post("/cameras.json", &json!([camera])).ok();
@@ -64,8 +74,6 @@ fn a_scene_in_a_browser() {
     );
     let mut page = Page::open(program, &viewer.url(), [700, 420]);
     page.wait(REST);
-    let shown = |page: &mut Page| pixels(&base64(page.eval(SHOWN).as_str().expect("bytes")));
-    let camera = |page: &mut Page| page.eval("organza.view.camera");
     let before = shown(&mut page);
     let first = camera(&mut page);
     assert!(before == rendered(&sandbox, &viewer, &first, ALONE), "at rest");
@@ -80,27 +88,39 @@ fn a_scene_in_a_browser() {
     assert_eq!(moved["fl_x"], first["fl_x"]);
     assert!(after == rendered(&sandbox, &viewer, &moved, ALONE), "after a drag");
     let far = |page: &mut Page| {
-        page.eval(
+        let far = page.eval(
             "organza.view.camera.camera_to_world.slice(0, 3).reduce(\
-        (sum, row, at) => sum + (row[3] - organza.view.center[at]) ** 2, 0) ** 0.5",
-        )
+             (sum, row, at) => sum + (row[3] - organza.view.center[at]) ** 2, 0) ** 0.5",
+        );
+        far.as_f64().expect("a number")
     };
-    let [near, farther] = [&mut page].map(|page| {
-        let before = far(page).as_f64().unwrap();
-        page.mouse("mouseWheel", [x, y]);
-        page.wait(REST);
-        [far(page).as_f64().unwrap(), before]
-    })[0];
+    let farther = far(&mut page);
+    page.mouse("mouseWheel", [x, y]);
+    page.wait(REST);
+    let near = far(&mut page);
     assert!(near < 0.95 * farther, "{near} {farther}");
     let closer = camera(&mut page);
     assert!(shown(&mut page) == rendered(&sandbox, &viewer, &closer, ALONE), "after the wheel");
 
-    // a click explains the pixel
-    page.click([x, y]);
+    assert_explains(&mut page, [x, y], &viewer, &sandbox);
+    assert_reads_depth(&mut page, [x, y]);
+    assert_keeps_keyframes(&mut page, [x, y], &sandbox);
+    let (index, view) = assert_compares(&mut page, &viewer);
+    assert!(
+        shown(&mut page) == rendered(&sandbox, &viewer, &view, ALONE),
+        "a camera of the data set"
+    );
+    assert_says_far(&mut page, &viewer, index);
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+}
+
+/// A click explains the pixel.
+fn assert_explains(page: &mut Page, at: [f64; 2], viewer: &Viewer, sandbox: &Sandbox) {
+    page.click(at);
     page.wait("organza.explain.answer");
     let answer = page.eval("organza.explain.answer");
     let pixel = answer["pixel"].clone();
-    let file = viewer.post("/cameras.json", &json!([closer])).ok();
+    let file = viewer.post("/cameras.json", &json!([camera(page)])).ok();
     sandbox.write("shown.json", file.body);
     let words =
         format!("explain scene.safetensors shown.json --pixel {},{} --json", pixel[0], pixel[1]);
@@ -114,8 +134,10 @@ fn a_scene_in_a_browser() {
     let bar = "document.querySelector('#rows .share').getBoundingClientRect()";
     assert_eq!(page.eval(&format!("{bar}.height")), 9);
     page.screenshot("viewer-explain");
+}
 
-    // keys work after a click on a box, and the pointer shows the depth
+/// Keys work after a click on a box, and the pointer shows the depth.
+fn assert_reads_depth(page: &mut Page, [x, y]: [f64; 2]) {
     page.eval("document.getElementById('show-cameras').focus()");
     page.key("4");
     page.wait(REST);
@@ -133,8 +155,10 @@ fn a_scene_in_a_browser() {
     );
     page.key("1");
     page.wait(REST);
+}
 
-    // keyframes survive saving and loading
+/// Keyframes survive saving and loading.
+fn assert_keeps_keyframes(page: &mut Page, [x, y]: [f64; 2], sandbox: &Sandbox) {
     page.eval("document.getElementById('add-keyframe').click()");
     page.drag([x, y], [x - 40.0, y]);
     page.key("k");
@@ -150,21 +174,22 @@ fn a_scene_in_a_browser() {
     page.eval("organza.keyframes.list = []; organza.keyframes.changed()");
     page.eval(&format!("organza.keyframes.load({saved})"));
     assert_eq!(page.eval("organza.keyframes.list.map((one) => one.camera)"), keyframes);
+}
 
-    // a camera of the data set, beside its photograph
+/// Shows a camera of the data set, beside its photograph. Returns its index and the camera.
+fn assert_compares(page: &mut Page, viewer: &Viewer) -> (usize, Value) {
     page.eval("document.getElementById('compare').click()");
     page.wait(REST);
     page.wait("document.getElementById('photograph').complete");
     let index = page.eval("organza.view.index").as_u64().expect("a view") as usize;
     let view = viewer.scene()["views"][index]["camera"].clone();
     // JavaScript writes 0 where Rust writes 0.0
-    assert_eq!(camera(&mut page), page.eval(&format!("({view})")));
-    assert!(
-        shown(&mut page) == rendered(&sandbox, &viewer, &view, ALONE),
-        "a camera of the data set"
-    );
+    assert_eq!(camera(page), page.eval(&format!("({view})")));
+    (index, view)
+}
 
-    // the page has begun at a photograph; far from all it says so, and a key goes to the nearest
+/// The page has begun at a photograph. Far from all it says so, and a key goes to the nearest, which is the camera `index`.
+fn assert_says_far(page: &mut Page, viewer: &Viewer, index: usize) {
     let scene = viewer.scene();
     let views = scene["views"].as_array().expect("a list");
     assert!(views.iter().any(|view| view["camera"] == scene["home"]), "{scene}");
@@ -182,7 +207,6 @@ fn a_scene_in_a_browser() {
     page.wait(&format!("organza.view.index === {index}"));
     page.wait(REST);
     assert_eq!(page.eval(FAR), false);
-    assert!(page.errors.is_empty(), "{:?}", page.errors);
 }
 
 #[test]
@@ -233,7 +257,7 @@ fn a_scene_is_moved_in_a_browser() {
     };
     page.eval("{ const box = document.getElementById('scene'); box.value = 1; box.onchange(); }");
     page.wait(REST);
-    let pose = page.eval("organza.view.camera");
+    let pose = camera(&mut page);
     let first = place(&mut page);
     let ball = "organza.places.scene.center.concat(organza.places.scene.radius)";
     let ball =
@@ -256,10 +280,9 @@ fn a_scene_is_moved_in_a_browser() {
         before = after;
         at = moved;
     }
-    assert_eq!(page.eval("organza.view.camera"), pose, "the camera moves with the scene");
+    assert_eq!(camera(&mut page), pose, "the camera moves with the scene");
     page.wait(REST);
     page.screenshot("viewer-places");
-    let shown = |page: &mut Page| pixels(&base64(page.eval(SHOWN).as_str().expect("bytes")));
     let moved = shown(&mut page);
     sandbox.write("b.json", said(&mut page).as_str().expect("text"));
     assert!(moved == rendered(&sandbox, &viewer, &pose, both), "another place was saved");
@@ -299,38 +322,84 @@ fn a_scene_is_edited_in_a_browser() {
     let mut page = Page::open(program, &viewer.url(), [700, 640]);
     page.wait(REST);
     page.wait("organza.edit.answer");
-    let left = |page: &mut Page| page.eval("organza.edit.answer.left").as_u64().expect("a number");
     let all = left(&mut page);
-    let shown = |page: &mut Page| pixels(&base64(page.eval(SHOWN).as_str().expect("bytes")));
     let whole = shown(&mut page);
+    let middle = middle(&mut page);
 
-    // the box, drawn at half of its size along x with its handle
+    let inside = crop(&mut page, middle, &sandbox, all);
+    assert_eq!(left(&mut page), inside);
+    assert!(shown(&mut page) != whole, "nothing has changed");
+    undo(&mut page);
+    assert!(left(&mut page) == all && shown(&mut page) == whole, "undo");
+
+    assert_cleans(&mut page, (all, &whole));
+    assert_knows_the_world(&mut page);
+
+    // the brush
+    page.key("g");
+    page.drag([middle[0] - 40.0, middle[1]], [middle[0] + 40.0, middle[1]]);
+    page.wait("organza.edit.answer.selected > 0");
+    page.screenshot("viewer-brush");
+    let selected = page.eval("organza.edit.answer.selected").as_u64().expect("a number");
+    page.eval("document.getElementById('remove-selected').click(); organza.edit.asked");
+    page.wait(&format!("organza.edit.answer.left === {}", all - selected));
+    page.wait(REST);
+    let painted = shown(&mut page);
+
+    // measuring puts the brush aside; a known distance gives the saved scene meters
+    let distance = measure(&mut page, middle, &viewer);
+    page.eval("document.getElementById('meters').value = 0.25; organza.measure.say()");
+    page.screenshot("viewer-measure");
+    page.eval("document.getElementById('set-meters').click(); organza.edit.asked");
+    page.wait("document.getElementById('distance').textContent === '0.2500 m'");
+    page.eval("document.getElementById('save-edit').click(); organza.edit.asked");
+    page.wait("organza.edit.answer.saved");
+    page.screenshot("viewer-saved");
+    let camera = camera(&mut page);
+    let saved = organza::Scene::load(sandbox.path("cut.safetensors")).unwrap();
+    let meters = saved.config.placement.meters.expect("meters");
+    assert!((meters * distance / 0.25 - 1.0).abs() < 1e-6, "{meters}");
+    sandbox.rename("cut.safetensors", "scene.safetensors");
+    assert!(
+        painted == rendered(&sandbox, &viewer, &camera, ALONE),
+        "what was saved is not what was shown"
+    );
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+}
+
+/// The number of Gaussians that are left.
+fn left(page: &mut Page) -> u64 {
+    page.eval("organza.edit.answer.left").as_u64().expect("a number")
+}
+
+fn undo(page: &mut Page) {
+    page.eval("document.getElementById('undo-edit').click(); organza.edit.asked");
+    page.wait(REST);
+}
+
+/// Draws the box smaller with its handle, and removes the rest. Returns the number of Gaussians in the box.
+fn crop(page: &mut Page, middle: [f64; 2], sandbox: &Sandbox, all: u64) -> u64 {
     page.key("b");
     let high = |page: &mut Page| page.eval("organza.edit.box[1][0]").as_f64().expect("a number");
-    let before = high(&mut page);
-    let pose = page.eval("organza.view.camera");
-    let from = handle_of(&mut page, "edit", 1);
-    let middle = middle(&mut page);
+    let before = high(page);
+    let pose = camera(page);
+    let from = handle_of(page, "edit", 1);
     let to = [0, 1].map(|axis| from[axis] + 0.4 * (middle[axis] - from[axis]));
     page.drag(from, to);
-    assert!(high(&mut page) != before, "the handle does not move");
-    assert_eq!(page.eval("organza.view.camera"), pose, "the camera moves with the box");
+    assert!(high(page) != before, "the handle does not move");
+    assert_eq!(camera(page), pose, "the camera moves with the box");
     page.screenshot("viewer-box");
     page.eval("document.getElementById('remove-outside').click(); organza.edit.asked");
     page.wait(&format!("organza.edit.answer.left < {all}"));
     page.wait(REST);
-    let cropped = left(&mut page);
     let bounds: [[f32; 3]; 2] = serde_json::from_value(page.eval("organza.edit.box")).unwrap();
     let scene = organza::Scene::load(sandbox.path("scene.safetensors")).unwrap();
     let is_inside = |p: &&[f32; 3]| (0..3).all(|i| bounds[0][i] <= p[i] && p[i] <= bounds[1][i]);
-    let inside = scene.gaussians.position.iter().filter(is_inside).count();
-    assert_eq!(cropped, inside as u64);
-    assert!(shown(&mut page) != whole, "nothing has changed");
-    page.eval("document.getElementById('undo-edit').click(); organza.edit.asked");
-    page.wait(REST);
-    assert!(left(&mut page) == all && shown(&mut page) == whole, "undo");
+    scene.gaussians.position.iter().filter(is_inside).count() as u64
+}
 
-    // the slider hides what few photographs support, and says what that is; then it goes
+/// The slider hides what few photographs support, and says what that is. Then it goes.
+fn assert_cleans(page: &mut Page, (all, whole): (u64, &RgbImage)) {
     let slide = |page: &mut Page, strength: f64| {
         page.eval(&format!(
             "{{ const slider = document.getElementById('clean'); slider.value = {strength}; slider.dispatchEvent(new Event('input')) }}"
@@ -338,9 +407,9 @@ fn a_scene_is_edited_in_a_browser() {
         page.wait("!organza.edit.cleaning");
         page.wait(REST);
     };
-    slide(&mut page, 0.5);
+    slide(page, 0.5);
     let hidden = page.eval("organza.edit.answer.clean.hidden").as_u64().expect("a number");
-    assert!(hidden > 0 && left(&mut page) == all - hidden && shown(&mut page) != whole);
+    assert!(hidden > 0 && left(page) == all - hidden && shown(page) != *whole);
     let said = page.eval("document.getElementById('clean-said').textContent");
     let said = said.as_str().expect("text");
     assert!(
@@ -348,18 +417,19 @@ fn a_scene_is_edited_in_a_browser() {
         "{said}"
     );
     page.screenshot("viewer-floaters");
-    slide(&mut page, 0.0);
-    assert!(left(&mut page) == all && shown(&mut page) == whole, "nothing is hidden");
-    slide(&mut page, 0.5);
+    slide(page, 0.0);
+    assert!(left(page) == all && shown(page) == *whole, "nothing is hidden");
+    slide(page, 0.5);
     page.eval("document.getElementById('keep-clean').click(); organza.edit.asked");
     page.wait(
         "document.getElementById('clean').value === '0' && organza.edit.answer.removals === 1",
     );
-    page.eval("document.getElementById('undo-edit').click(); organza.edit.asked");
-    page.wait(REST);
-    assert!(left(&mut page) == all && shown(&mut page) == whole, "undo");
+    undo(page);
+    assert!(left(page) == all && shown(page) == *whole, "undo");
+}
 
-    // the page shows world coordinates as the program computes them
+/// The page shows world coordinates as the program computes them.
+fn assert_knows_the_world(page: &mut Page) {
     let placement = organza::scene::Placement {
         offset: [5e5, -20.0, 3.0],
         scale: 0.25,
@@ -376,19 +446,10 @@ fn a_scene_is_edited_in_a_browser() {
     for (shown, expected) in world.into_iter().zip(placement.world([1.5, -2.0, 0.5])) {
         assert!((shown - expected).abs() < 1e-9, "{shown} {expected}");
     }
+}
 
-    // the brush
-    page.key("g");
-    page.drag([middle[0] - 40.0, middle[1]], [middle[0] + 40.0, middle[1]]);
-    page.wait("organza.edit.answer.selected > 0");
-    page.screenshot("viewer-brush");
-    let selected = page.eval("organza.edit.answer.selected").as_u64().expect("a number");
-    page.eval("document.getElementById('remove-selected').click(); organza.edit.asked");
-    page.wait(&format!("organza.edit.answer.left === {}", all - selected));
-    page.wait(REST);
-    let painted = shown(&mut page);
-
-    // two clicks are a distance, which puts the brush aside; a known one gives the saved scene meters
+/// Measures the distance of two clicked places, and returns it as the pixels' depths have it.
+fn measure(page: &mut Page, middle: [f64; 2], viewer: &Viewer) -> f64 {
     page.key("m");
     let clicked = [-30.0, 30.0].map(|across| {
         page.click([middle[0] + across, middle[1]]);
@@ -404,7 +465,7 @@ fn a_scene_is_edited_in_a_browser() {
         ));
         pixel.as_f64().expect("a column")
     });
-    let camera = page.eval("organza.view.camera");
+    let camera = camera(page);
     let ends = clicked.map(|column| {
         let row = camera["h"].as_f64().unwrap() / 2.0;
         let pixel = [column.floor() as i32, row.floor() as i32];
@@ -418,21 +479,5 @@ fn a_scene_is_edited_in_a_browser() {
     let expected = (0..3).map(|i| (ends[0][i] - ends[1][i]).powi(2)).sum::<f64>().sqrt();
     let distance = page.eval("organza.measure.distance").as_f64().expect("a distance");
     assert!((distance / expected - 1.0).abs() < 1e-6, "{distance} {expected}");
-    page.eval("document.getElementById('meters').value = 0.25; organza.measure.say()");
-    page.screenshot("viewer-measure");
-    page.eval("document.getElementById('set-meters').click(); organza.edit.asked");
-    page.wait("document.getElementById('distance').textContent === '0.2500 m'");
-    page.eval("document.getElementById('save-edit').click(); organza.edit.asked");
-    page.wait("organza.edit.answer.saved");
-    page.screenshot("viewer-saved");
-    let camera = page.eval("organza.view.camera");
-    let saved = organza::Scene::load(sandbox.path("cut.safetensors")).unwrap();
-    let meters = saved.config.placement.meters.expect("meters");
-    assert!((meters * expected / 0.25 - 1.0).abs() < 1e-6, "{meters}");
-    sandbox.rename("cut.safetensors", "scene.safetensors");
-    assert!(
-        painted == rendered(&sandbox, &viewer, &camera, ALONE),
-        "what was saved is not what was shown"
-    );
-    assert!(page.errors.is_empty(), "{:?}", page.errors);
+    expected
 }

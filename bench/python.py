@@ -93,7 +93,11 @@ class training:
             "run.tile_size": tiles.side,
             "run.tiles_per_view": len(tiles) // len(cameras),
             "start.gaussians": len(scene),
+            "densification.max_gaussians": len(scene),
             "densification.end": 0,
+            # each step has whole photographs, and trains all tensors, as torch's does
+            "run.coarse": 0,
+            "optimizer.transmittance_every": 1,
         }
         config = scene.config
         for name in ("sh_degree", "material", "extra", "step"):

@@ -290,7 +290,9 @@ impl DataSet {
         let all: f64 =
             sizes.iter().map(|[width, height]| f64::from(*width) * f64::from(*height)).sum();
         let longest = sizes.iter().flatten().max().unwrap_or(&0);
-        let factor = ((all / pixels).sqrt().ceil() as u32).min(longest / SMALL);
+        let shortest = sizes.iter().flatten().min().unwrap_or(&0);
+        let most = (longest / SMALL).min(shortest / MIN_SIDE);
+        let factor = ((all / pixels).sqrt().ceil() as u32).min(most);
         if factor <= 1 {
             return Ok(own);
         }

@@ -362,7 +362,7 @@ impl TrainJob<'_> {
         let about = if self.scheduled.is_some() { "about " } else { "" };
         let time = Duration::from_secs_f64(pixels / pixels_per_second(renderer, gaussians));
         console.note(&format!(
-            "planned: {about}{} of {} pixels, {} times those of {}, and up to {}; that takes about {} here",
+            "planned: {about}{} of {} pixels, {} times the pixels of {}, and up to {}; that takes about {} here",
             count((pixels / per_step) as u64, "step"),
             grouped(per_step as u64),
             rounded(pixels / of),

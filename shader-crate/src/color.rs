@@ -54,10 +54,9 @@ pub fn color_inputs(
         let center = read3(position, gaussian * 3);
         let stride = params.stride;
 
-        let place = SceneBox::read(scene_box).split(center);
+        let place = SceneBox::read(scene_box).split(center.to_array());
         if params.contracted != 0 {
-            let q = from_center(place);
-            write_point(point, stride, index, contract([q.x, q.y, q.z]));
+            write_point(point, stride, index, contract(from_center(place)));
         } else {
             write_point(point, stride, index, place);
         }

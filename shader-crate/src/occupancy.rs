@@ -52,35 +52,32 @@ fn half_of(scale: f32) -> u32 {
 
 /// `exp(-x^2 / 2)` for the squares x^2 of the nodes: 0, 4/9, 1, 16/9 and 4. An exponential would take most of the kernel's time.
 #[inline(always)]
-fn falloff(square: f32) -> f32 {
-    if square < 0.2 {
-        1.0
-    } else if square < 0.7 {
-        0.800_737_4
-    } else if square < 1.4 {
-        0.606_530_66
-    } else if square < 3.0 {
-        0.411_112_3
-    } else {
-        0.135_335_28
-    }
+fn falloff<L: Lane>(square: L) -> L {
+    let number = L::splat;
+    let value = number(0.135_335_28);
+    let value = L::select(square.less(number(3.0)), number(0.411_112_3), value);
+    let value = L::select(square.less(number(1.4)), number(0.606_530_66), value);
+    let value = L::select(square.less(number(0.7)), number(0.800_737_4), value);
+    L::select(square.less(number(0.2)), number(1.0), value)
 }
 
 /// A node along an axis: its place in standard deviations, and its part of the Gaussian, by the trapezoidal rule.
 #[inline(always)]
-fn node(index: u32, half: u32) -> (f32, f32) {
+fn node<L: Lane>(index: L, half: u32) -> (L, L) {
     if half == 0 {
-        (0.0, 1.0)
+        (L::splat(0.0), L::splat(1.0))
     } else {
         let spacing = REACH / half as f32;
-        let x = (index as f32 - half as f32) * spacing;
-        (x, NORMAL * spacing * falloff(x * x))
+        let x = (index - L::splat(half as f32)) * L::splat(spacing);
+        (x, L::splat(NORMAL * spacing) * falloff(x * x))
     }
 }
 
 /// Adds each Gaussian to the cells of its nodes, in [`FULL`]ths, until they are full: `counts [entries^3]`, x fastest.
-#[kernel(threads(64), over(params.gaussians), iterations = MAX_NODES * (1 + MAX_NODES * (1 + MAX_NODES)))]
-pub fn occupancy_add(
+///
+/// On a CPU, the lanes are neighboring nodes of a Gaussian.
+#[kernel(threads(64), over(params.gaussians), iterations = 2 * MAX_NODES * MAX_NODES * MAX_NODES, lanes)]
+pub fn occupancy_add<L: Lane>(
     id: Invocation,
     params: &OccupancyParams,
     scene_box: Read<f32>,
@@ -104,61 +101,84 @@ pub fn occupancy_add(
         let half_x = half_of(cells.x);
         let half_y = half_of(cells.y);
         let half_z = half_of(cells.z);
-        let mut i = 0;
-        while i <= 2 * half_x {
-            let (a, part_x) = node(i, half_x);
-            let plane = center + x * (a * scale.x);
-            let mut j = 0;
-            while j <= 2 * half_y {
-                let (b, part_y) = node(j, half_y);
-                let line = plane + y * (b * scale.y);
-                let mut k = 0;
-                while k <= 2 * half_z {
-                    let (c, part_z) = node(k, half_z);
-                    let count = fill * (part_x * part_y * part_z) * FULL as f32 + 0.5;
-                    if count >= 1.0 {
-                        let place = line + z * (c * scale.z);
-                        add(params, scene_box, place, min(count, FULL as f32), counts);
-                    }
-                    k += 1;
-                }
-                j += 1;
-            }
-            i += 1;
+        let rows = 2 * half_y + 1;
+        let columns = 2 * half_z + 1;
+        let nodes = (2 * half_x + 1) * rows * columns;
+        let mut first = 0;
+        while first < nodes {
+            let index = L::splat(first as f32) + L::ramp();
+            let row = quotient(index, columns);
+            let plane = quotient(row, rows);
+            let (a, part_x) = node(plane, half_x);
+            let (b, part_y) = node(row - plane * L::splat(rows as f32), half_y);
+            let (c, part_z) = node(index - row * L::splat(columns as f32), half_z);
+            let part = part_x * part_y * part_z;
+            let count = L::splat(fill) * part * L::splat(FULL as f32) + L::splat(0.5);
+            let a = a * L::splat(scale.x);
+            let b = b * L::splat(scale.y);
+            let c = c * L::splat(scale.z);
+            let place = |center: f32, x: f32, y: f32, z: f32| {
+                L::splat(center) + L::splat(x) * a + L::splat(y) * b + L::splat(z) * c
+            };
+            let place = [
+                place(center.x, x.x, y.x, z.x),
+                place(center.y, x.y, y.y, z.y),
+                place(center.z, x.z, y.z, z.z),
+            ];
+            add(params, scene_box, place, count, nodes - first, counts);
+            first += L::WIDTH;
         }
     }
 }
 
-/// Adds a count to the cell of a place in world space, if it lies in the cube.
+/// The quotient of two integers, of which the first is small: no place is so near to an integer that rounding decides.
 #[inline(always)]
-fn add(params: &OccupancyParams, scene_box: SceneBox, place: Vec3, count: f32, counts: Write<u32>) {
+fn quotient<L: Lane>(index: L, divisor: u32) -> L {
+    ((index + L::splat(0.5)) * L::splat(1.0 / divisor as f32)).truncate()
+}
+
+/// Adds counts to the cells of places in world space, if they lie in the cube; of the first lanes, as many as there are `nodes`.
+#[loops]
+#[inline(always)]
+fn add<L: Lane>(
+    params: &OccupancyParams,
+    scene_box: SceneBox,
+    place: [L; 3],
+    count: L,
+    nodes: u32,
+    counts: Write<u32>,
+) {
+    let zero = L::splat(0.0);
     let split = scene_box.split(place);
-    let inside = if params.contracted != 0 {
-        let center = from_center(split);
-        contract([center.x, center.y, center.z])
-    } else {
-        split
-    };
-    let side = params.side as f32;
+    let inside = if params.contracted != 0 { contract(from_center(split)) } else { split };
+    let side = L::splat(params.side as f32);
     let x = inside[0].value() * side;
     let y = inside[1].value() * side;
     let z = inside[2].value() * side;
-    let lowest = min(min(x, y), z);
-    let highest = max(max(x, y), z);
+    let lowest = x.min(y).min(z);
+    let highest = x.max(y).max(z);
     // what is not a number is not inside
-    if lowest >= 0.0 && highest < side {
-        let entries = entries_of_side(params.side);
-        let row = (z as u32 + 1) * entries + y as u32 + 1;
-        let entry = row * entries + x as u32 + 1;
-        let count = count as u32;
+    let is_inside = L::both(zero.less_equal(lowest), highest.less(side));
+    let is_added = L::both(is_inside, L::splat(1.0).less_equal(count));
+    let number = <L::Index as LaneIndex>::splat;
+    let cell = |x: L| L::select(is_added, x, zero).index().wrapping_add(number(1));
+    let entries = number(entries_of_side(params.side));
+    let row = cell(z).wrapping_mul(entries).wrapping_add(cell(y));
+    let entry = row.wrapping_mul(entries).wrapping_add(cell(x));
+    let count = L::select(is_added, count.min(L::splat(FULL as f32)), zero).index();
+    let mut lane = 0;
+    while lane < L::WIDTH && lane < nodes {
+        let entry = entry.lane(lane);
+        let count = count.lane(lane);
         // Most cells that Gaussians reach are full soon, and reading is cheaper than adding.
-        if counts.atomic_load(entry) < FULL {
+        if count > 0 && counts.atomic_load(entry) < FULL {
             let before = atomic::add(counts, entry, count);
             // in any order, the entry ends as min(sum, FULL); it cannot overflow
             if before + count > FULL {
                 counts.atomic_min(entry, FULL);
             }
         }
+        lane += 1;
     }
 }
 

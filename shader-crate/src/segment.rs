@@ -273,11 +273,13 @@ pub fn segment(
     if index < params.pairs {
         let slot = pair.read(index);
         let scene_box = SceneBox::read(scene_box);
-        let eye = scene_box.split(Camera::read(camera, slot / params.gaussians).eye);
-        let p = scene_box.split(read3(position, (slot % params.gaussians) * 3));
+        let eye = scene_box.split(Camera::read(camera, slot / params.gaussians).eye.to_array());
+        let p = scene_box.split(read3(position, (slot % params.gaussians) * 3).to_array());
         let first = index * SEGMENT_VECTORS;
         if params.contracted != 0 {
-            let ray = contracted_ray(from_center(p), from_center(eye), params.step);
+            let from = Vec3::from_array(from_center(p));
+            let to = Vec3::from_array(from_center(eye));
+            let ray = contracted_ray(from, to, params.step);
             segment.write(first, ray.foot.extend(ray.factor));
             segment.write(first + 1, ray.direction.extend(ray.radius));
             segment.write(first + 2, Vec4::new(ray.begin, ray.span, 0.0, 0.0));

@@ -7,7 +7,6 @@
 use glam::Vec3;
 
 use crate::camera::read3;
-use muslin::math::truncate;
 use muslin::prelude::*;
 
 /// Parts of the cube that a coarse coordinate counts: 12 bits.
@@ -39,12 +38,6 @@ impl<L: Lane> Split<L> {
     #[inline(always)]
     pub fn whole(coarse: L) -> Self {
         Self { coarse, fine: L::splat(0.0) }
-    }
-
-    /// The same coordinate in every lane.
-    #[inline(always)]
-    pub fn splat(x: Split) -> Self {
-        Self { coarse: L::splat(x.coarse), fine: L::splat(x.fine) }
     }
 
     /// The value, as far as one number can hold it.
@@ -158,23 +151,34 @@ impl SceneBox {
 
     /// A position in the unit cube's space, in two parts, per axis.
     #[inline(always)]
-    pub fn split(&self, position: Vec3) -> [Split; 3] {
-        // exact, and so is the rest: `part` is a power of two
-        let parts = position * self.parts;
-        let coarse = Vec3::new(truncate(parts.x), truncate(parts.y), truncate(parts.z)) * self.part;
-        let offset = coarse - self.low;
-        let rest = (position - coarse) - self.low_rest;
-        let main = offset * self.scale;
-        let rest = offset * self.scale_rest + rest * (self.scale + self.scale_rest);
-        [Split::new(main.x, rest.x), Split::new(main.y, rest.y), Split::new(main.z, rest.z)]
+    pub fn split<L: Lane>(&self, [x, y, z]: [L; 3]) -> [Split<L>; 3] {
+        let Self { part, parts, low, low_rest, scale, scale_rest } = *self;
+        [
+            split_axis(x, [part.x, parts.x, low.x, low_rest.x, scale.x, scale_rest.x]),
+            split_axis(y, [part.y, parts.y, low.y, low_rest.y, scale.y, scale_rest.y]),
+            split_axis(z, [part.z, parts.z, low.z, low_rest.z, scale.z, scale_rest.z]),
+        ]
     }
+}
+
+/// A coordinate of [`SceneBox::split`], with the box's values of its axis.
+#[inline(always)]
+fn split_axis<L: Lane>(x: L, of_axis: [f32; 6]) -> Split<L> {
+    let number = L::splat;
+    let [part, parts, low, low_rest, scale, scale_rest] = of_axis;
+    // exact, and so is the rest: `part` is a power of two
+    let coarse = (x * number(parts)).truncate() * number(part);
+    let offset = coarse - number(low);
+    let rest = (x - coarse) - number(low_rest);
+    let rest = offset * number(scale_rest) + rest * number(scale + scale_rest);
+    Split::new(offset * number(scale), rest)
 }
 
 /// A point of the unit cube's space, seen from the cube's center.
 #[inline(always)]
-pub fn from_center([x, y, z]: [Split; 3]) -> Vec3 {
-    let half = Split::whole(0.5);
-    Vec3::new(x.minus(half).value(), y.minus(half).value(), z.minus(half).value())
+pub fn from_center<L: Lane>([x, y, z]: [Split<L>; 3]) -> [L; 3] {
+    let half = Split::whole(L::splat(0.5));
+    [x.minus(half).value(), y.minus(half).value(), z.minus(half).value()]
 }
 
 /// Mip-NeRF 360's contraction with the maximum norm: all of space to the unit cube, the scene's box to itself.
@@ -223,7 +227,7 @@ mod tests {
             for step in 0..=1000 {
                 let x = (low + (high - low) * f64::from(step) / 1000.0) as f32;
                 let exact = 0.05 + 0.9 * (f64::from(x) - low) / (high - low);
-                let [split, ..] = scene_box.split(Vec3::splat(x));
+                let [split, ..] = scene_box.split([x; 3]);
                 let found = f64::from(split.coarse) + f64::from(split.fine);
                 assert!((found - exact).abs() < 2e-10, "{found} for {exact} in {low}..{high}");
                 assert_eq!(split.coarse * PARTS, libm::floorf(split.coarse * PARTS));
@@ -235,7 +239,7 @@ mod tests {
     #[test]
     fn places_outside_are_clamped() {
         let scene_box = SceneBox::new([[-1.0; 3], [1.0; 3]], false);
-        let [low, middle, high] = scene_box.split(Vec3::new(-3.0, 0.0, 1e30)).map(Split::clamped);
+        let [low, middle, high] = scene_box.split([-3.0, 0.0, 1e30]).map(Split::clamped);
         assert_eq!((low.coarse, low.fine), (0.0, 0.0));
         assert!((middle.coarse + middle.fine - 0.5).abs() < 1e-7);
         assert_eq!((high.coarse, high.fine), (1.0, 0.0));
@@ -245,8 +249,8 @@ mod tests {
     fn all_of_space_is_contracted_to_the_cube() {
         let scene_box = SceneBox::new([[-1.0; 3], [1.0; 3]], true);
         let contracted = |point| {
-            let q = from_center(scene_box.split(point));
-            Vec3::from_array(contract([q.x, q.y, q.z]).map(Split::value))
+            let q = from_center(scene_box.split(Vec3::to_array(&point)));
+            Vec3::from_array(contract(q).map(Split::value))
         };
         // the box keeps its place; at twice its size a half of the margin is left, at four times a quarter
         for (point, expected) in [

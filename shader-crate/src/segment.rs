@@ -5,6 +5,7 @@ use glam::{Vec3, Vec4};
 use crate::camera::{Camera, read3};
 use crate::limits::MAX_SAMPLES;
 use crate::unit_cube::{SceneBox, Split, contract, from_center};
+use muslin::lane_vec4::LaneVec4;
 use muslin::math::{self, TINY, abs, ceil, clamp, dot, length};
 use muslin::prelude::*;
 
@@ -85,13 +86,12 @@ fn squeeze(u: f32, radius: f32) -> f32 {
 
 /// The place u on a ray where r has a value: the inverse of [`squeeze`].
 #[inline(always)]
-fn stretch<L: Lane>(r: L, radius: f32) -> L {
+fn stretch<L: Lane>(r: L, radius: L) -> L {
     let zero = L::splat(0.0);
-    let number = L::splat;
     let size = L::select(r.less(zero), -r, r);
-    let beyond = number(radius) / (number(2.0) - size.max(number(radius)) / number(radius));
+    let beyond = radius / (L::splat(2.0) - size.max(radius) / radius);
     let signed = L::select(r.less(zero), -beyond, beyond);
-    L::select(size.less_equal(number(radius)), r, signed)
+    L::select(size.less_equal(radius), r, signed)
 }
 
 /// The ray between a Gaussian and a camera, both from the cube's center, in steps of about `step` (sigma).
@@ -124,23 +124,26 @@ pub fn contracted_ray(p: Vec3, eye: Vec3, step: f32) -> ContractedRay {
     }
 }
 
-/// The contracted ray of a pair, as [`segment`] has written it.
-#[inline(always)]
-pub fn read_contracted(segment: Read<Vec4>, pair: u32) -> [Vec4; 3] {
-    let first = pair * SEGMENT_VECTORS;
-    [segment.read(first), segment.read(first + 1), segment.read(first + 2)]
-}
-
 /// The place t on a contracted ray, 0 at the Gaussian and 1 at the camera, in the unit cube.
 #[inline(always)]
-pub fn contracted_place<L: Lane>([foot, direction, places]: [Vec4; 3], t: L) -> [Split<L>; 3] {
-    let number = L::splat;
-    let u = stretch(number(places.x) + t * number(places.y), direction.w);
-    contract([
-        number(foot.x) + u * number(direction.x),
-        number(foot.y) + u * number(direction.y),
-        number(foot.z) + u * number(direction.z),
-    ])
+pub fn contracted_place<L: Lane>(ray: [LaneVec4<L>; 4], t: L) -> [Split<L>; 3] {
+    let [foot, direction, places, _] = ray;
+    let u = stretch(places.x + t * places.y, direction.w);
+    contract([foot.x + u * direction.x, foot.y + u * direction.y, foot.z + u * direction.z])
+}
+
+/// The place t on a clipped ray, 0 at s and 1 at s + w, in the unit cube.
+#[inline(always)]
+pub fn clipped_place<L: Lane>(ray: [LaneVec4<L>; 4], t: Split<L>) -> [Split<L>; 3] {
+    let [start, w, start_rest, w_rest] = ray;
+    let along = |coarse, fine, w_coarse, w_fine| {
+        Split { coarse, fine }.along(t, Split { coarse: w_coarse, fine: w_fine })
+    };
+    [
+        along(start.x, start_rest.x, w.x, w_rest.x),
+        along(start.y, start_rest.y, w.y, w_rest.y),
+        along(start.z, start_rest.z, w.z, w_rest.z),
+    ]
 }
 
 /// Vectors that a segment takes in a buffer: `(s, s_factor), (w, 0)`, the coarse parts, then the fine ones of both. Of a
@@ -223,25 +226,16 @@ fn fine([x, y, z]: [Split; 3]) -> Vec3 {
     Vec3::new(x.fine, y.fine, z.fine)
 }
 
-/// A vector from its coarse and its fine parts.
+/// The ray of a pair in all lanes, as [`segment`] has written it.
 #[inline(always)]
-fn joined(coarse: Vec4, fine: Vec4) -> [Split; 3] {
-    [
-        Split { coarse: coarse.x, fine: fine.x },
-        Split { coarse: coarse.y, fine: fine.y },
-        Split { coarse: coarse.z, fine: fine.z },
-    ]
-}
-
-/// The segment s, w of a pair and its `s_factor`, as [`segment`] has written them.
-#[inline(always)]
-pub fn read_segment(segment: Read<Vec4>, pair: u32) -> ([Split; 3], [Split; 3], f32) {
+pub fn read_ray<L: Lane>(segment: Read<Vec4>, pair: u32) -> [LaneVec4<L>; 4] {
     let first = pair * SEGMENT_VECTORS;
-    let start = segment.read(first);
-    let w = segment.read(first + 1);
-    let start_fine = segment.read(first + 2);
-    let w_fine = segment.read(first + 3);
-    (joined(start, start_fine), joined(w, w_fine), start.w)
+    [
+        LaneVec4::splat(segment.read(first)),
+        LaneVec4::splat(segment.read(first + 1)),
+        LaneVec4::splat(segment.read(first + 2)),
+        LaneVec4::splat(segment.read(first + 3)),
+    ]
 }
 
 /// Parameters of [`segment`].

@@ -3,11 +3,12 @@
 use glam::Vec4;
 
 use crate::dense::{HeadParams, column};
-use crate::hash_grid::{POINT_ROWS, write_point};
+use crate::hash_grid::{POINT_ROWS, value_at, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
 use crate::occupancy::occupied;
-use crate::segment::{contracted_place, read_contracted, read_segment};
+use crate::segment::{clipped_place, contracted_place, read_ray};
 use crate::unit_cube::Split;
+use muslin::lane_vec4::LaneVec4;
 use muslin::math::{exp, log_sigmoid};
 use muslin::prelude::*;
 
@@ -60,7 +61,7 @@ fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32
 /// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`. With an
 /// [occupancy grid](crate::occupancy), `s_factor` is times how full x_k is.
 ///
-/// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and lane by lane from where the pair ends.
+/// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and goes on from where the pair ends.
 #[kernel(threads(64), over(params.samples), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs))]
 pub fn transmittance_inputs<L: Lane>(
     id: Invocation,
@@ -77,89 +78,74 @@ pub fn transmittance_inputs<L: Lane>(
     if index < params.samples {
         let sample = params.first_sample + index;
         let mut owner = owner(first_sample, params.pairs, sample);
-        if L::WIDTH == 1 || first_sample.read(owner + 1) - sample >= L::WIDTH {
-            write_inputs::<L>(
-                params,
-                index,
-                owner,
-                pair,
-                first_sample,
-                segment,
-                extra,
-                occupancy,
-                point,
-                input,
-            );
+        let begin = first_sample.read(owner);
+        let mut end = first_sample.read(owner + 1);
+        let mut k = L::splat((sample - begin) as f32) + L::ramp();
+        let mut count = L::splat((end - begin) as f32);
+        let mut ray = read_ray::<L>(segment, owner);
+        let index_of = <L::Index as LaneIndex>::splat;
+        let mut u = index_of(first_extra(params, pair, owner));
+        // the lanes of pairs that begin later
+        while L::WIDTH > 1 && end - sample < L::WIDTH {
+            let begin = end;
+            let is_next = first_sample.read(owner + 2) > begin;
+            owner = if is_next {
+                owner + 1
+            } else {
+                owner_among(first_sample, owner + 2, params.pairs, begin)
+            };
+            end = first_sample.read(owner + 1);
+            let before = L::splat((begin - sample) as f32);
+            let is_later = before.less_equal(L::ramp());
+            k = L::select(is_later, L::ramp() - before, k);
+            count = L::select(is_later, L::splat((end - begin) as f32), count);
+            ray = select_ray(is_later, read_ray(segment, owner), ray);
+            let first = index_of(first_extra(params, pair, owner));
+            u = LaneIndex::select(is_later, first, u);
+        }
+
+        let t = Split::whole(k + L::splat(0.5)).divide(Split::whole(count));
+        let place = if params.contracted != 0 {
+            contracted_place(ray, t.value())
         } else {
-            let mut lane = 0;
-            while lane < L::WIDTH {
-                let own = sample + lane;
-                if first_sample.read(owner + 1) <= own {
-                    owner = owner_among(first_sample, owner + 1, params.pairs, own);
-                }
-                write_inputs::<L::One>(
-                    params,
-                    index + lane,
-                    owner,
-                    pair,
-                    first_sample,
-                    segment,
-                    extra,
-                    occupancy,
-                    point,
-                    input,
-                );
-                lane += 1;
-            }
+            clipped_place(ray, t)
+        };
+        let stride = params.stride;
+        write_point(point, stride, index, place);
+        let mut factor = ray[0].w;
+        if params.occupancy != 0 {
+            factor = factor * occupied(params.occupancy, occupancy, place);
+        }
+        factor.write(point, POINT_ROWS * stride + index);
+        let mut row = 0;
+        while row < params.extra {
+            let value = L::gather(extra, value_at::<L>(u, row));
+            value.write(input, (params.extra_row + row) * stride + index);
+            row += 1;
         }
     }
 }
 
-/// The outputs of [`transmittance_inputs`] for the samples of the lanes from `index` on, which the same pair owns.
-#[loops]
+/// Where the extra vector of a pair's Gaussian begins.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
-fn write_inputs<L: Lane>(
-    params: &TransmittanceInputsParams,
-    index: u32,
-    owner: u32,
-    pair: Read<u32>,
-    first_sample: Read<u32>,
-    segment: Read<Vec4>,
-    extra: Read<f32>,
-    occupancy: Read<f32>,
-    point: Write<f32>,
-    input: Write<f32>,
-) {
-    let begin = first_sample.read(owner);
-    let count = first_sample.read(owner + 1) - begin;
-    let k = L::splat((params.first_sample + index - begin) as f32) + L::ramp();
-    let t = Split::whole(k + L::splat(0.5)).divide(Split::whole(L::splat(count as f32)));
-    let stride = params.stride;
-    let (place, factor) = if params.contracted != 0 {
-        let ray = read_contracted(segment, owner);
-        (contracted_place(ray, t.value()), ray[0].w)
-    } else {
-        let ([x, y, z], [w_x, w_y, w_z], factor) = read_segment(segment, owner);
-        let x = Split::splat(x).along(t, Split::splat(w_x));
-        let y = Split::splat(y).along(t, Split::splat(w_y));
-        let z = Split::splat(z).along(t, Split::splat(w_z));
-        ([x, y, z], factor)
-    };
-    write_point(point, stride, index, place);
-    let mut factor = L::splat(factor);
-    if params.occupancy != 0 {
-        factor = factor * occupied(params.occupancy, occupancy, place);
-    }
-    factor.write(point, POINT_ROWS * stride + index);
+fn first_extra(params: &TransmittanceInputsParams, pair: Read<u32>, owner: u32) -> u32 {
+    pair.read(owner) % params.gaussians * params.extra
+}
 
-    let gaussian = pair.read(owner) % params.gaussians;
-    let mut u = 0;
-    while u < params.extra {
-        let value = L::splat(extra.read(gaussian * params.extra + u));
-        value.write(input, (params.extra_row + u) * stride + index);
-        u += 1;
-    }
+/// One ray in lanes where the mask holds, another in others.
+#[inline(always)]
+fn select_ray<L: Lane>(
+    mask: L::Mask,
+    [a, b, c, d]: [LaneVec4<L>; 4],
+    [e, f, g, h]: [LaneVec4<L>; 4],
+) -> [LaneVec4<L>; 4] {
+    let select = |yes: LaneVec4<L>, no: LaneVec4<L>| LaneVec4 {
+        x: L::select(mask, yes.x, no.x),
+        y: L::select(mask, yes.y, no.y),
+        z: L::select(mask, yes.z, no.z),
+        w: L::select(mask, yes.w, no.w),
+    };
+    [select(a, e), select(b, f), select(c, g), select(d, h)]
 }
 
 /// a_k, the output of the scalar network's last layer, and the `s_factor` of the sample's segment.

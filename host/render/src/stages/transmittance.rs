@@ -1,6 +1,7 @@
 //! Stages B1 and B2: the segments of all pairs, their samples as one flat list, and the products.
 
 use glam::Vec4;
+use muslin::lane_vec4::LaneVec4;
 use organza_shaders::limits::MAX_SAMPLES;
 use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams, contracted_place};
 use organza_shaders::transmittance::{
@@ -135,11 +136,11 @@ impl Transmittance {
         let is_contracted = !scene.config.contraction.is_none();
         let ray = |(pair, vectors): (usize, &[Vec4; SEGMENT_VECTORS as usize])| {
             let [start, w, start_rest, w_rest] = *vectors;
+            let lanes = vectors.map(LaneVec4::splat);
             let log_rho = &log_rho[first[pair] as usize..first[pair + 1] as usize];
             let places = if is_contracted {
                 let count = log_rho.len().max(1);
-                let place =
-                    |step| contracted_place([start, w, start_rest], step as f32 / count as f32);
+                let place = |step| contracted_place(lanes, step as f32 / count as f32);
                 (0..=count).map(|step| place(step).map(Split::value)).collect()
             } else {
                 let begin = start + start_rest;

@@ -23,6 +23,8 @@ struct Launch<'a> {
     run: CpuRun,
     shared: &'static [SharedInfo],
     bindings: &'a [CpuBinding<'a>],
+    /// Invocations of a workgroup.
+    size: UVec3,
     workgroups: UVec3,
     /// The workgroups that are not additional.
     needed: UVec3,
@@ -40,9 +42,8 @@ impl Launch<'_> {
     }
 
     fn run(&self, index: u64) -> Result<(), String> {
-        let local = UVec3::from(self.info.workgroup_size);
         let place = self.place(index);
-        let first = Invocation::new(UVec3::ZERO, place, self.workgroups, local);
+        let first = Invocation::new(UVec3::ZERO, place, self.workgroups, self.size);
         begin(Some(RunningInvocation {
             kernel: self.info.name,
             id: first,
@@ -50,13 +51,13 @@ impl Launch<'_> {
             is_additional: place.cmpge(self.needed).any(),
         }));
         // each workgroup has an order of its own
-        let count = u64::from(local.element_product());
+        let count = u64::from(self.size.element_product());
         let order = self.mode.order.map(|order| order.permutation(count, 1 + index));
         self.run_at(place, order.as_deref())
     }
 
     fn run_at(&self, place: UVec3, order: Option<&[u64]>) -> Result<(), String> {
-        let size = UVec3::from(self.info.workgroup_size);
+        let size = self.size;
         let changed = |change| self.info.run_arithmetic[change as usize];
         let run = match self.mode.arithmetic.and_then(changed) {
             Some(run) => CpuRun::Invocation(run),
@@ -145,6 +146,7 @@ impl Cpu {
             run: self.run_of(info),
             shared: self.entry_point(info).shared,
             bindings: &bindings,
+            size: info.workgroup_size.into(),
             workgroups: job.workgroups.all.into(),
             needed: job.workgroups.needed.into(),
             is_checked: self.check_races,

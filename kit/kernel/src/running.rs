@@ -108,6 +108,7 @@ pub fn current() -> Option<RunningInvocation> {
 
 /// The position of the element `index` in a box of `size`, such as an invocation in its workgroup or a workgroup in
 /// its dispatch. x is the fastest axis.
+#[inline]
 pub fn unlinear(index: u64, size: UVec3) -> UVec3 {
     let [x, y] = [size.x, size.y].map(u64::from);
     UVec3::new((index % x) as u32, (index / x % y) as u32, (index / x / y) as u32)

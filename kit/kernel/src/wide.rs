@@ -304,7 +304,7 @@ fn exp<const N: usize, const FUSED: bool>(x: Wide<N, FUSED>) -> Wide<N, FUSED> {
     let power = |n: i32| f32::from_bits(((n + 127) as u32) << 23);
     let first = vectors!(first_power(shifted.0), lanes!(|i| power(half[i])));
     let second = vectors!(second_power(shifted.0), lanes!(|i| power(whole[i] - half[i])));
-    p * Wide(first) * Wide(second)
+    Wide(sixteen!(scale(p.0, n.0), (p * Wide(first) * Wide(second)).0))
 }
 
 /// The sum as a tree of pairs. It is not inlined: otherwise the compiler would keep the terms in pairs of lanes.

@@ -123,6 +123,8 @@ pub mod avx512 {
         };
         both(a: u32, b: u32) -> u32 => _mm512_movm_epi32(mask(a) & mask(b));
         select(which: u32, yes: f32, no: f32) -> f32 => _mm512_mask_blend_ps(mask(which), no, yes);
+        // p 2^n
+        scale(p: f32, n: f32) -> f32 => _mm512_scalef_ps(p, n);
         whole(a: f32) -> i32 => _mm512_cvttps_epi32(a);
         truncate(a: f32) -> f32 => {
             _mm512_roundscale_ps::<{ _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC }>(a)

@@ -97,7 +97,8 @@ impl Photographs for StepPhotographs<'_> {
         let side = self.batch.side;
         let Some(resident) = self.resident else {
             let tiles = TileBatch { side, tiles: tiles.collect() };
-            let Target { image, valid } = Target::new(&tiles, self.factor, self.frames)?;
+            let target = device.run_in_pool(|| Target::new(&tiles, self.factor, self.frames));
+            let Target { image, valid } = target?;
             return Ok([device.upload("photographs", &image)?, device.upload("masks", &valid)?]);
         };
         let pixels = places.len() * (side * side) as usize;

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
+use rayon::prelude::*;
 
 use super::config::RunConfig;
 use muslin_device::memory;
@@ -209,11 +210,10 @@ impl Target {
         let area = side * side;
         let mut image = memory::zeros(batch.tiles.len() * 3 * area, "the tiles of a step")?;
         let mut valid = memory::zeros(batch.tiles.len() * area, "the mask of a step")?;
-        for ((tile, image), valid) in
-            batch.tiles.iter().zip(image.chunks_mut(3 * area)).zip(valid.chunks_mut(area))
-        {
+        let images = image.par_chunks_mut(3 * area).zip(valid.par_chunks_mut(area));
+        batch.tiles.par_iter().zip(images).for_each(|(tile, (image, valid))| {
             fill(tile, &frames[tile.camera].image, factor, side, image, valid);
-        }
+        });
         Ok(Self { image, valid })
     }
 }
@@ -227,18 +227,14 @@ fn fill(
     valid: &mut [f32],
 ) {
     let area = side * side;
-    let [width, height] =
-        [photograph.width(), photograph.height()].map(|length| (length / factor) as i32);
-    for row in 0..side {
-        for column in 0..side {
-            let x = tile.origin[0] + column as i32;
-            let y = tile.origin[1] + row as i32;
-            let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
-            let texel = |x, y| photograph.is_valid(x, y).then(|| photograph.color(x, y));
-            let square = || mean([x, y].map(|at| at as u32 * factor), factor, texel);
-            let color = if is_inside { square() } else { None };
-            if let Some(color) = color {
-                let at = row * side + column;
+    let ranges = tile.origin.map(|at| [at, at.saturating_add(side as i32)]);
+    let [columns, rows] = within(photograph, factor, ranges);
+    let texel = |x, y| photograph.is_valid(x, y).then(|| photograph.color(x, y));
+    for y in rows {
+        for x in columns.clone() {
+            if let Some(color) = mean([x * factor, y * factor], factor, texel) {
+                let [column, row] = [x as i32 - tile.origin[0], y as i32 - tile.origin[1]];
+                let at = row as usize * side + column as usize;
                 valid[at] = 1.0;
                 for (channel, value) in color.into_iter().enumerate() {
                     image[channel * area + at] = value;

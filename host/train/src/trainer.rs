@@ -451,11 +451,11 @@ impl Trainer {
                 let rate = settings.rate_at(settings.exposure, done);
                 exposures.step(&adam, &drawn.batch, Update::new(settings, rate, step))?;
             }
-            optimizer.step(device, scene, gradient, settings, (step, done))
+            optimizer.step(device, scene, gradient, settings, (step, done))?;
+            gradient.clear_touched(device);
+            scene.update_occupancy(device)
         });
-        moved.inspect_err(|_| gradient.rollback(device))?;
-        gradient.clear_touched(device);
-        scene.update_occupancy(device)
+        moved.inspect_err(|_| gradient.rollback(device))
     }
 
     /// Calls `use_target` with the ground truth of a step's tiles.

@@ -377,7 +377,7 @@ impl<'a> Pass<'a> {
         let device = self.device();
         let is_alone = self.is_alone(parts);
         let [pairs, samples] = self.samples(parts, into)?;
-        into.set_scales(device, self.scene, [&pairs, &samples])?;
+        device.run_in_pool(|| into.set_scales(device, self.scene, [&pairs, &samples]))?;
         let mut rows = match self.ranks {
             Some(ranks) => Some(Rows::new(device, ranks, into)?),
             None => None,
@@ -406,7 +406,7 @@ impl<'a> Pass<'a> {
             rows.add(parts.views)?;
             ranks::sum(device, ranks, into)?;
         }
-        into.finish(device)?;
+        device.run_in_pool(|| into.finish(device))?;
         if is_alone && self.queued.is_none() {
             let at = &mut parts.list[0];
             let Some((words, _)) = self.read(at, loss.buffers())? else { return Ok(false) };

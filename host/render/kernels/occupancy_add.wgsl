@@ -45,303 +45,232 @@ var<storage> global_8: type_11;
 var<storage, read_write> global_9: type_22;
 
 fn function_() {
-    var phi_392_: u32;
-    var phi_419_: f32;
-    var phi_420_: f32;
-    var phi_421_: f32;
-    var phi_423_: type_14;
-    var phi_427_: u32;
-    var phi_454_: f32;
-    var phi_455_: f32;
-    var phi_456_: f32;
-    var phi_458_: type_14;
-    var phi_462_: u32;
-    var phi_489_: f32;
-    var phi_490_: f32;
-    var phi_491_: f32;
-    var phi_493_: type_14;
-    var phi_540_: array<type_14, 3>;
+    var phi_412_: u32;
+    var phi_437_: type_14;
+    var phi_454_: type_14;
+    var phi_471_: type_14;
+    var phi_513_: array<type_14, 3>;
+    var phi_555_: u32;
     var local: u32;
     var local_1: u32;
-    var local_2: u32;
 
-    let _e51 = global;
-    let _e52 = global_1;
-    let _e53 = global_2;
-    let _e61 = (((_e52.x + (_e52.y * _e53.x)) * 64u) + _e51.x);
-    let _e64 = global_3.member.member;
-    if (_e61 < _e64) {
-        let _e68 = global_4.member[0u];
-        let _e71 = global_4.member[1u];
-        let _e74 = global_4.member[2u];
-        let _e77 = global_4.member[3u];
-        let _e80 = global_4.member[4u];
-        let _e83 = global_4.member[5u];
-        let _e86 = global_4.member[6u];
-        let _e89 = global_4.member[7u];
-        let _e92 = global_4.member[8u];
-        let _e95 = global_4.member[9u];
-        let _e98 = global_4.member[10u];
-        let _e101 = global_4.member[11u];
-        let _e104 = global_4.member[12u];
-        let _e107 = global_4.member[13u];
-        let _e110 = global_4.member[14u];
-        let _e113 = global_4.member[15u];
-        let _e116 = global_4.member[16u];
-        let _e119 = global_4.member[17u];
-        let _e120 = (_e61 * 3u);
-        let _e123 = global_5.member[_e120];
-        let _e124 = (_e120 + 1u);
-        let _e127 = global_5.member[_e124];
-        let _e128 = (_e120 + 2u);
-        let _e131 = global_5.member[_e128];
-        let _e134 = global_6.member[_e120];
-        let _e137 = global_6.member[_e124];
-        let _e140 = global_6.member[_e128];
-        let _e141 = exp(_e134);
-        let _e142 = exp(_e137);
-        let _e143 = exp(_e140);
-        let _e144 = (_e61 * 4u);
-        let _e147 = global_7.member[_e144];
-        let _e151 = global_7.member[(_e144 + 1u)];
-        let _e155 = global_7.member[(_e144 + 2u)];
-        let _e159 = global_7.member[(_e144 + 3u)];
-        let _e168 = (1f / sqrt(((((_e147 * _e147) + (_e151 * _e151)) + (_e155 * _e155)) + (_e159 * _e159))));
-        let _e169 = (_e147 * _e168);
-        let _e170 = (_e151 * _e168);
-        let _e171 = (_e155 * _e168);
-        let _e172 = (_e159 * _e168);
-        let _e173 = (_e171 * _e171);
+    let _e52 = global;
+    let _e53 = global_1;
+    let _e54 = global_2;
+    let _e62 = (((_e53.x + (_e53.y * _e54.x)) * 64u) + _e52.x);
+    let _e65 = global_3.member.member;
+    if (_e62 < _e65) {
+        let _e69 = global_4.member[0u];
+        let _e72 = global_4.member[1u];
+        let _e75 = global_4.member[2u];
+        let _e78 = global_4.member[3u];
+        let _e81 = global_4.member[4u];
+        let _e84 = global_4.member[5u];
+        let _e87 = global_4.member[6u];
+        let _e90 = global_4.member[7u];
+        let _e93 = global_4.member[8u];
+        let _e96 = global_4.member[9u];
+        let _e99 = global_4.member[10u];
+        let _e102 = global_4.member[11u];
+        let _e105 = global_4.member[12u];
+        let _e108 = global_4.member[13u];
+        let _e111 = global_4.member[14u];
+        let _e114 = global_4.member[15u];
+        let _e117 = global_4.member[16u];
+        let _e120 = global_4.member[17u];
+        let _e121 = (_e62 * 3u);
+        let _e124 = global_5.member[_e121];
+        let _e125 = (_e121 + 1u);
+        let _e128 = global_5.member[_e125];
+        let _e129 = (_e121 + 2u);
+        let _e132 = global_5.member[_e129];
+        let _e135 = global_6.member[_e121];
+        let _e138 = global_6.member[_e125];
+        let _e141 = global_6.member[_e129];
+        let _e142 = exp(_e135);
+        let _e143 = exp(_e138);
+        let _e144 = exp(_e141);
+        let _e145 = (_e62 * 4u);
+        let _e148 = global_7.member[_e145];
+        let _e152 = global_7.member[(_e145 + 1u)];
+        let _e156 = global_7.member[(_e145 + 2u)];
+        let _e160 = global_7.member[(_e145 + 3u)];
+        let _e169 = (1f / sqrt(((((_e148 * _e148) + (_e152 * _e152)) + (_e156 * _e156)) + (_e160 * _e160))));
+        let _e170 = (_e148 * _e169);
+        let _e171 = (_e152 * _e169);
+        let _e172 = (_e156 * _e169);
+        let _e173 = (_e160 * _e169);
         let _e174 = (_e172 * _e172);
-        let _e178 = (_e170 * _e171);
-        let _e179 = (_e169 * _e172);
-        let _e182 = (_e170 * _e172);
-        let _e183 = (_e169 * _e171);
-        let _e188 = (_e170 * _e170);
-        let _e192 = (_e171 * _e172);
-        let _e193 = (_e169 * _e170);
-        let _e205 = global_3.member.member_2;
-        let _e206 = (1f / _e205);
-        let _e207 = (_e141 * _e206);
-        let _e208 = (_e142 * _e206);
-        let _e209 = (_e143 * _e206);
-        let _e210 = (_e207 * _e208);
-        let _e211 = (_e207 * _e209);
-        let _e213 = select(_e211, _e210, (_e210 > _e211));
-        let _e214 = (_e208 * _e209);
-        let _e220 = global_8.member[_e61];
-        let _e221 = (_e220 < 0f);
-        let _e224 = exp(select(-(_e220), _e220, _e221));
-        let _e226 = (1f / (1f + _e224));
-        let _e232 = ((2f * _e207) + 0.5f);
-        let _e233 = f32(3u);
-        let _e235 = select(_e233, _e232, (_e232 < _e233));
-        let _e236 = bitcast<f32>(0u);
-        let _e237 = bitcast<f32>(1333788671u);
-        let _e243 = select(select(u32(_e235), 0u, !((_e235 >= _e236))), 4294967295u, (_e235 > _e237));
-        let _e245 = ((2f * _e208) + 0.5f);
-        let _e247 = select(_e233, _e245, (_e245 < _e233));
-        let _e253 = select(select(u32(_e247), 0u, !((_e247 >= _e236))), 4294967295u, (_e247 > _e237));
-        let _e255 = ((2f * _e209) + 0.5f);
-        let _e257 = select(_e233, _e255, (_e255 < _e233));
-        let _e263 = select(select(u32(_e257), 0u, !((_e257 >= _e236))), 4294967295u, (_e257 > _e237));
-        phi_392_ = 0u;
+        let _e175 = (_e173 * _e173);
+        let _e179 = (_e171 * _e172);
+        let _e180 = (_e170 * _e173);
+        let _e183 = (_e171 * _e173);
+        let _e184 = (_e170 * _e172);
+        let _e189 = (_e171 * _e171);
+        let _e193 = (_e172 * _e173);
+        let _e194 = (_e170 * _e171);
+        let _e206 = global_3.member.member_2;
+        let _e207 = (1f / _e206);
+        let _e208 = (_e142 * _e207);
+        let _e209 = (_e143 * _e207);
+        let _e210 = (_e144 * _e207);
+        let _e211 = (_e208 * _e209);
+        let _e212 = (_e208 * _e210);
+        let _e214 = select(_e212, _e211, (_e211 > _e212));
+        let _e215 = (_e209 * _e210);
+        let _e221 = global_8.member[_e62];
+        let _e222 = (_e221 < 0f);
+        let _e225 = exp(select(-(_e221), _e221, _e222));
+        let _e227 = (1f / (1f + _e225));
+        let _e233 = ((2f * _e208) + 0.5f);
+        let _e234 = f32(3u);
+        let _e236 = select(_e234, _e233, (_e233 < _e234));
+        let _e237 = bitcast<f32>(0u);
+        let _e238 = bitcast<f32>(1333788671u);
+        let _e244 = select(select(u32(_e236), 0u, !((_e236 >= _e237))), 4294967295u, (_e236 > _e238));
+        let _e246 = ((2f * _e209) + 0.5f);
+        let _e248 = select(_e234, _e246, (_e246 < _e234));
+        let _e254 = select(select(u32(_e248), 0u, !((_e248 >= _e237))), 4294967295u, (_e248 > _e238));
+        let _e256 = ((2f * _e210) + 0.5f);
+        let _e258 = select(_e234, _e256, (_e256 < _e234));
+        let _e264 = select(select(u32(_e258), 0u, !((_e258 >= _e237))), 4294967295u, (_e258 > _e238));
+        let _e266 = ((2u * _e254) + 1u);
+        let _e268 = ((2u * _e264) + 1u);
+        let _e272 = ((((2u * _e244) + 1u) * _e266) * _e268);
+        phi_412_ = 0u;
         loop {
-            let _e265 = phi_392_;
-            if (_e265 <= (2u * _e243)) {
-                if (_e243 == 0u) {
-                    phi_423_ = type_14(0f, 1f);
+            let _e274 = phi_412_;
+            if (_e274 < _e272) {
+                let _e277 = (f32(_e274) + 0f);
+                let _e279 = f32(_e268);
+                let _e282 = trunc(((_e277 + 0.5f) * (1f / _e279)));
+                let _e284 = f32(_e266);
+                let _e287 = trunc(((_e282 + 0.5f) * (1f / _e284)));
+                if (_e244 == 0u) {
+                    phi_437_ = type_14(0f, 1f);
                 } else {
-                    let _e269 = f32(_e243);
-                    let _e270 = (2f / _e269);
-                    let _e273 = ((f32(_e265) - _e269) * _e270);
-                    let _e275 = (_e273 * _e273);
-                    if (_e275 < 0.2f) {
-                        phi_421_ = 1f;
-                    } else {
-                        if (_e275 < 0.7f) {
-                            phi_420_ = 0.8007374f;
-                        } else {
-                            if (_e275 < 1.4f) {
-                                phi_419_ = 0.60653067f;
-                            } else {
-                                phi_419_ = select(0.13533528f, 0.4111123f, (_e275 < 3f));
-                            }
-                            let _e282 = phi_419_;
-                            phi_420_ = _e282;
-                        }
-                        let _e284 = phi_420_;
-                        phi_421_ = _e284;
-                    }
-                    let _e286 = phi_421_;
-                    phi_423_ = type_14(_e273, ((0.3989423f * _e270) * _e286));
+                    let _e289 = f32(_e244);
+                    let _e290 = (2f / _e289);
+                    let _e292 = ((_e287 - _e289) * _e290);
+                    let _e294 = (_e292 * _e292);
+                    phi_437_ = type_14(_e292, ((0.3989423f * _e290) * select(select(select(select(0.13533528f, 0.4111123f, (_e294 < 3f)), 0.60653067f, (_e294 < 1.4f)), 0.8007374f, (_e294 < 0.7f)), 1f, (_e294 < 0.2f))));
                 }
-                let _e290 = phi_423_;
-                let _e293 = (_e290.member * _e141);
-                phi_427_ = 0u;
+                let _e306 = phi_437_;
+                if (_e254 == 0u) {
+                    phi_454_ = type_14(0f, 1f);
+                } else {
+                    let _e312 = f32(_e254);
+                    let _e313 = (2f / _e312);
+                    let _e315 = (((_e282 - (_e287 * _e284)) - _e312) * _e313);
+                    let _e317 = (_e315 * _e315);
+                    phi_454_ = type_14(_e315, ((0.3989423f * _e313) * select(select(select(select(0.13533528f, 0.4111123f, (_e317 < 3f)), 0.60653067f, (_e317 < 1.4f)), 0.8007374f, (_e317 < 0.7f)), 1f, (_e317 < 0.2f))));
+                }
+                let _e329 = phi_454_;
+                if (_e264 == 0u) {
+                    phi_471_ = type_14(0f, 1f);
+                } else {
+                    let _e335 = f32(_e264);
+                    let _e336 = (2f / _e335);
+                    let _e338 = (((_e277 - (_e282 * _e279)) - _e335) * _e336);
+                    let _e340 = (_e338 * _e338);
+                    phi_471_ = type_14(_e338, ((0.3989423f * _e336) * select(select(select(select(0.13533528f, 0.4111123f, (_e340 < 3f)), 0.60653067f, (_e340 < 1.4f)), 0.8007374f, (_e340 < 0.7f)), 1f, (_e340 < 0.2f))));
+                }
+                let _e352 = phi_471_;
+                let _e358 = f32(4096u);
+                let _e360 = ((((((4f * 3.1415927f) * select(_e227, (_e225 * _e227), _e222)) * select(_e215, _e214, (_e214 > _e215))) * ((_e306.member_1 * _e329.member_1) * _e352.member_1)) * _e358) + 0.5f);
+                let _e361 = (_e306.member * _e142);
+                let _e362 = (_e329.member * _e143);
+                let _e363 = (_e352.member * _e144);
+                let _e369 = (((_e124 + ((1f - (2f * (_e174 + _e175))) * _e361)) + ((2f * (_e179 - _e180)) * _e362)) + ((2f * (_e183 + _e184)) * _e363));
+                let _e375 = (((_e128 + ((2f * (_e179 + _e180)) * _e361)) + ((1f - (2f * (_e189 + _e175))) * _e362)) + ((2f * (_e193 - _e194)) * _e363));
+                let _e381 = (((_e132 + ((2f * (_e183 - _e184)) * _e361)) + ((2f * (_e193 + _e194)) * _e362)) + ((1f - (2f * (_e189 + _e174))) * _e363));
+                let _e385 = (trunc((_e369 * _e78)) * _e69);
+                let _e386 = (_e385 - _e87);
+                let _e392 = ((_e386 * _e114) + (((_e369 - _e385) - _e96) * (_e105 + _e114)));
+                let _e393 = (_e386 * _e105);
+                let _e397 = (1f / 4096f);
+                let _e398 = (trunc(((_e393 + _e392) * 4096f)) * _e397);
+                let _e400 = ((_e393 - _e398) + _e392);
+                let _e403 = (trunc((_e375 * _e81)) * _e72);
+                let _e404 = (_e403 - _e90);
+                let _e410 = ((_e404 * _e117) + (((_e375 - _e403) - _e99) * (_e108 + _e117)));
+                let _e411 = (_e404 * _e108);
+                let _e415 = (trunc(((_e411 + _e410) * 4096f)) * _e397);
+                let _e417 = ((_e411 - _e415) + _e410);
+                let _e420 = (trunc((_e381 * _e84)) * _e75);
+                let _e421 = (_e420 - _e93);
+                let _e427 = ((_e421 * _e120) + (((_e381 - _e420) - _e102) * (_e111 + _e120)));
+                let _e428 = (_e421 * _e111);
+                let _e432 = (trunc(((_e428 + _e427) * 4096f)) * _e397);
+                let _e434 = ((_e428 - _e432) + _e427);
+                let _e441 = global_3.member.member_3;
+                if (_e441 == 0u) {
+                    phi_513_ = array<type_14, 3>(type_14(_e398, _e400), type_14(_e415, _e417), type_14(_e432, _e434));
+                } else {
+                    let _e445 = ((_e398 - 0.5f) + (_e400 - 0f));
+                    let _e448 = ((_e415 - 0.5f) + (_e417 - 0f));
+                    let _e451 = ((_e432 - 0.5f) + (_e434 - 0f));
+                    let _e454 = select(_e445, -(_e445), (_e445 < 0f));
+                    let _e457 = select(_e448, -(_e448), (_e448 < 0f));
+                    let _e459 = select(_e457, _e454, (_e454 > _e457));
+                    let _e462 = select(_e451, -(_e451), (_e451 < 0f));
+                    let _e464 = select(_e462, _e459, (_e459 > _e462));
+                    let _e466 = select(0.25f, _e464, (_e464 > 0.25f));
+                    let _e471 = select(1f, ((0.5f - (0.0625f / _e466)) / _e466), (0.25f < _e466));
+                    let _e472 = (_e445 * _e471);
+                    let _e476 = (trunc(((0.5f + _e472) * 4096f)) * _e397);
+                    let _e479 = (_e448 * _e471);
+                    let _e483 = (trunc(((0.5f + _e479) * 4096f)) * _e397);
+                    let _e486 = (_e451 * _e471);
+                    let _e490 = (trunc(((0.5f + _e486) * 4096f)) * _e397);
+                    phi_513_ = array<type_14, 3>(type_14(_e476, ((0.5f - _e476) + _e472)), type_14(_e483, ((0.5f - _e483) + _e479)), type_14(_e490, ((0.5f - _e490) + _e486)));
+                }
+                let _e498 = phi_513_;
+                let _e501 = global_3.member.member_1;
+                let _e502 = f32(_e501);
+                let _e508 = ((_e498[0].member + _e498[0].member_1) * _e502);
+                let _e514 = ((_e498[1].member + _e498[1].member_1) * _e502);
+                let _e520 = ((_e498[2].member + _e498[2].member_1) * _e502);
+                let _e522 = select(_e514, _e508, (_e508 < _e514));
+                let _e526 = select(_e514, _e508, (_e508 > _e514));
+                let _e533 = select(false, (1f <= _e360), select(false, (select(_e520, _e526, (_e526 > _e520)) < _e502), (0f <= select(_e520, _e522, (_e522 < _e520)))));
+                let _e534 = (_e501 + 2u);
+                let _e551 = u32(select(0f, select(_e358, _e360, (_e360 < _e358)), _e533));
+                phi_555_ = 0u;
                 loop {
-                    let _e301 = phi_427_;
-                    if (_e301 <= (2u * _e253)) {
-                        if (_e253 == 0u) {
-                            phi_458_ = type_14(0f, 1f);
+                    let _e553 = phi_555_;
+                    if (_e553 < 1u) {
+                        if (_e553 < (_e272 - _e274)) {
+                            if (_e551 > 0u) {
+                                let _e559 = atomicLoad((&global_9.member[(((((u32(select(0f, _e520, _e533)) + 1u) * _e534) + (u32(select(0f, _e514, _e533)) + 1u)) * _e534) + (u32(select(0f, _e508, _e533)) + 1u))]));
+                                if (_e559 < 4096u) {
+                                    let _e561 = atomicAdd((&global_9.member[(((((u32(select(0f, _e520, _e533)) + 1u) * _e534) + (u32(select(0f, _e514, _e533)) + 1u)) * _e534) + (u32(select(0f, _e508, _e533)) + 1u))]), _e551);
+                                    if ((_e561 + _e551) > 4096u) {
+                                        let _e564 = atomicMin((&global_9.member[(((((u32(select(0f, _e520, _e533)) + 1u) * _e534) + (u32(select(0f, _e514, _e533)) + 1u)) * _e534) + (u32(select(0f, _e508, _e533)) + 1u))]), 4096u);
+                                    }
+                                }
+                            }
+                            local_1 = (_e553 + 1u);
+                            continue;
                         } else {
-                            let _e305 = f32(_e253);
-                            let _e306 = (2f / _e305);
-                            let _e309 = ((f32(_e301) - _e305) * _e306);
-                            let _e311 = (_e309 * _e309);
-                            if (_e311 < 0.2f) {
-                                phi_456_ = 1f;
-                            } else {
-                                if (_e311 < 0.7f) {
-                                    phi_455_ = 0.8007374f;
-                                } else {
-                                    if (_e311 < 1.4f) {
-                                        phi_454_ = 0.60653067f;
-                                    } else {
-                                        phi_454_ = select(0.13533528f, 0.4111123f, (_e311 < 3f));
-                                    }
-                                    let _e318 = phi_454_;
-                                    phi_455_ = _e318;
-                                }
-                                let _e320 = phi_455_;
-                                phi_456_ = _e320;
-                            }
-                            let _e322 = phi_456_;
-                            phi_458_ = type_14(_e309, ((0.3989423f * _e306) * _e322));
+                            break;
                         }
-                        let _e326 = phi_458_;
-                        let _e329 = (_e326.member * _e142);
-                        phi_462_ = 0u;
-                        loop {
-                            let _e337 = phi_462_;
-                            if (_e337 <= (2u * _e263)) {
-                                if (_e263 == 0u) {
-                                    phi_493_ = type_14(0f, 1f);
-                                } else {
-                                    let _e341 = f32(_e263);
-                                    let _e342 = (2f / _e341);
-                                    let _e345 = ((f32(_e337) - _e341) * _e342);
-                                    let _e347 = (_e345 * _e345);
-                                    if (_e347 < 0.2f) {
-                                        phi_491_ = 1f;
-                                    } else {
-                                        if (_e347 < 0.7f) {
-                                            phi_490_ = 0.8007374f;
-                                        } else {
-                                            if (_e347 < 1.4f) {
-                                                phi_489_ = 0.60653067f;
-                                            } else {
-                                                phi_489_ = select(0.13533528f, 0.4111123f, (_e347 < 3f));
-                                            }
-                                            let _e354 = phi_489_;
-                                            phi_490_ = _e354;
-                                        }
-                                        let _e356 = phi_490_;
-                                        phi_491_ = _e356;
-                                    }
-                                    let _e358 = phi_491_;
-                                    phi_493_ = type_14(_e345, ((0.3989423f * _e342) * _e358));
-                                }
-                                let _e362 = phi_493_;
-                                let _e368 = f32(4096u);
-                                let _e370 = ((((((4f * 3.1415927f) * select(_e226, (_e224 * _e226), _e221)) * select(_e214, _e213, (_e213 > _e214))) * ((_e290.member_1 * _e326.member_1) * _e362.member_1)) * _e368) + 0.5f);
-                                if (_e370 >= 1f) {
-                                    let _e372 = (_e362.member * _e143);
-                                    let _e376 = (((_e123 + ((1f - (2f * (_e173 + _e174))) * _e293)) + ((2f * (_e178 - _e179)) * _e329)) + ((2f * (_e182 + _e183)) * _e372));
-                                    let _e377 = (((_e127 + ((2f * (_e178 + _e179)) * _e293)) + ((1f - (2f * (_e188 + _e174))) * _e329)) + ((2f * (_e192 - _e193)) * _e372));
-                                    let _e378 = (((_e131 + ((2f * (_e182 - _e183)) * _e293)) + ((2f * (_e192 + _e193)) * _e329)) + ((1f - (2f * (_e188 + _e173))) * _e372));
-                                    let _e380 = select(_e368, _e370, (_e370 < _e368));
-                                    let _e387 = (trunc((_e376 * _e77)) * _e68);
-                                    let _e388 = (trunc((_e377 * _e80)) * _e71);
-                                    let _e389 = (trunc((_e378 * _e83)) * _e74);
-                                    let _e390 = (_e387 - _e86);
-                                    let _e391 = (_e388 - _e89);
-                                    let _e392 = (_e389 - _e92);
-                                    let _e399 = (_e390 * _e104);
-                                    let _e400 = (_e391 * _e107);
-                                    let _e401 = (_e392 * _e110);
-                                    let _e411 = ((_e390 * _e113) + (((_e376 - _e387) - _e95) * (_e104 + _e113)));
-                                    let _e412 = ((_e391 * _e116) + (((_e377 - _e388) - _e98) * (_e107 + _e116)));
-                                    let _e413 = ((_e392 * _e119) + (((_e378 - _e389) - _e101) * (_e110 + _e119)));
-                                    let _e417 = (1f / 4096f);
-                                    let _e418 = (trunc(((_e399 + _e411) * 4096f)) * _e417);
-                                    let _e420 = ((_e399 - _e418) + _e411);
-                                    let _e424 = (trunc(((_e400 + _e412) * 4096f)) * _e417);
-                                    let _e426 = ((_e400 - _e424) + _e412);
-                                    let _e430 = (trunc(((_e401 + _e413) * 4096f)) * _e417);
-                                    let _e432 = ((_e401 - _e430) + _e413);
-                                    let _e439 = global_3.member.member_3;
-                                    if (_e439 == 0u) {
-                                        phi_540_ = array<type_14, 3>(type_14(_e418, _e420), type_14(_e424, _e426), type_14(_e430, _e432));
-                                    } else {
-                                        let _e443 = ((_e418 - 0.5f) + (_e420 - 0f));
-                                        let _e446 = ((_e424 - 0.5f) + (_e426 - 0f));
-                                        let _e449 = ((_e430 - 0.5f) + (_e432 - 0f));
-                                        let _e452 = select(_e443, -(_e443), (_e443 < 0f));
-                                        let _e455 = select(_e446, -(_e446), (_e446 < 0f));
-                                        let _e457 = select(_e455, _e452, (_e452 > _e455));
-                                        let _e460 = select(_e449, -(_e449), (_e449 < 0f));
-                                        let _e462 = select(_e460, _e457, (_e457 > _e460));
-                                        let _e464 = select(0.25f, _e462, (_e462 > 0.25f));
-                                        let _e469 = select(1f, ((0.5f - (0.0625f / _e464)) / _e464), (0.25f < _e464));
-                                        let _e470 = (_e443 * _e469);
-                                        let _e474 = (trunc(((0.5f + _e470) * 4096f)) * _e417);
-                                        let _e477 = (_e446 * _e469);
-                                        let _e481 = (trunc(((0.5f + _e477) * 4096f)) * _e417);
-                                        let _e484 = (_e449 * _e469);
-                                        let _e488 = (trunc(((0.5f + _e484) * 4096f)) * _e417);
-                                        phi_540_ = array<type_14, 3>(type_14(_e474, ((0.5f - _e474) + _e470)), type_14(_e481, ((0.5f - _e481) + _e477)), type_14(_e488, ((0.5f - _e488) + _e484)));
-                                    }
-                                    let _e496 = phi_540_;
-                                    let _e499 = global_3.member.member_1;
-                                    let _e500 = f32(_e499);
-                                    let _e506 = ((_e496[0].member + _e496[0].member_1) * _e500);
-                                    let _e512 = ((_e496[1].member + _e496[1].member_1) * _e500);
-                                    let _e518 = ((_e496[2].member + _e496[2].member_1) * _e500);
-                                    let _e520 = select(_e512, _e506, (_e506 < _e512));
-                                    let _e524 = select(_e512, _e506, (_e506 > _e512));
-                                    if (select(_e518, _e520, (_e520 < _e518)) >= 0f) {
-                                        if (select(_e518, _e524, (_e524 > _e518)) < _e500) {
-                                            let _e529 = (_e499 + 2u);
-                                            let _e560 = select(select(u32(_e380), 0u, !((_e380 >= _e236))), 4294967295u, (_e380 > _e237));
-                                            let _e563 = atomicLoad((&global_9.member[(((((((select(select(u32(_e518), 0u, !((_e518 >= _e236))), 4294967295u, (_e518 > _e237)) + 1u) * _e529) + select(select(u32(_e512), 0u, !((_e512 >= _e236))), 4294967295u, (_e512 > _e237))) + 1u) * _e529) + select(select(u32(_e506), 0u, !((_e506 >= _e236))), 4294967295u, (_e506 > _e237))) + 1u)]));
-                                            if (_e563 < 4096u) {
-                                                let _e565 = atomicAdd((&global_9.member[(((((((select(select(u32(_e518), 0u, !((_e518 >= _e236))), 4294967295u, (_e518 > _e237)) + 1u) * _e529) + select(select(u32(_e512), 0u, !((_e512 >= _e236))), 4294967295u, (_e512 > _e237))) + 1u) * _e529) + select(select(u32(_e506), 0u, !((_e506 >= _e236))), 4294967295u, (_e506 > _e237))) + 1u)]), _e560);
-                                                if ((_e565 + _e560) > 4096u) {
-                                                    let _e568 = atomicMin((&global_9.member[(((((((select(select(u32(_e518), 0u, !((_e518 >= _e236))), 4294967295u, (_e518 > _e237)) + 1u) * _e529) + select(select(u32(_e512), 0u, !((_e512 >= _e236))), 4294967295u, (_e512 > _e237))) + 1u) * _e529) + select(select(u32(_e506), 0u, !((_e506 >= _e236))), 4294967295u, (_e506 > _e237))) + 1u)]), 4096u);
-                                                }
-                                            }
-                                        }
-                                    }
-                                }
-                                local_2 = (_e337 + 1u);
-                                continue;
-                            } else {
-                                break;
-                            }
-                            continuing {
-                                let _e588 = local_2;
-                                phi_462_ = _e588;
-                            }
-                        }
-                        local_1 = (_e301 + 1u);
-                        continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e581 = local_1;
-                        phi_427_ = _e581;
+                        let _e576 = local_1;
+                        phi_555_ = _e576;
                     }
                 }
-                local = (_e265 + 1u);
+                local = (_e274 + 1u);
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e574 = local;
-                phi_392_ = _e574;
+                let _e569 = local;
+                phi_412_ = _e569;
             }
         }
     }

@@ -11,7 +11,6 @@ use muslin::binned::ROWS;
 use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
 use organza_shaders::count::ALL;
 use organza_shaders::exposure::STRIDE;
-use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 use organza_shaders::pose_backward;
 
 use self::hash_grid::HashGridGradient;
@@ -20,7 +19,7 @@ use crate::scene::field::DeviceField;
 use crate::scene::packed::unpack;
 use crate::stages::counts::NO_COUNTS;
 use muslin_device::{Buffer, Count, Device};
-use organza_core::error::{Error, Result, argument};
+use organza_core::error::{Error, Result};
 use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
 
 /// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](organza_core::Camera::moved) says what they mean.
@@ -285,24 +284,6 @@ impl TensorGradient {
     /// The same errors as [`Device::read`].
     pub fn read(&self, device: &Device) -> Result<Vec<f32>> {
         Ok(device.read_range(&self.buffer, self.range.start, self.range.len())?)
-    }
-
-    /// Replaces the gradient's values. Sets the flags of a hash grid's blocks that are not all zero.
-    ///
-    /// # Errors
-    /// [`Error::Argument`] if the number of values differs from the tensor's; as [`Device::write`].
-    pub fn write(&self, device: &Device, values: &[f32]) -> Result<()> {
-        let [found, expected] = [values.len(), self.range.len()];
-        if found != expected {
-            return argument(format!("found {found} values for a gradient, expected {expected}"));
-        }
-        device.write(&self.buffer, self.range.start, values)?;
-        let Some(touched) = &self.touched else { return Ok(()) };
-        let mut flags = device.read(touched)?;
-        for (flag, block) in flags.iter_mut().zip(values.chunks(VALUES_PER_FLAG as usize)) {
-            *flag |= u32::from(block.iter().any(|&value| value != 0.0));
-        }
-        Ok(device.write(touched, 0, &flags)?)
     }
 }
 

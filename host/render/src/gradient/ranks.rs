@@ -242,7 +242,7 @@ impl<'a> Rows<'a> {
             statistics[index] = Vec4::new(x, y, z, statistics[index].w);
         }
         for (tensor, values) in self.tensors.iter().zip(&columns) {
-            tensor.write(self.device, values)?;
+            self.device.write(&tensor.buffer, tensor.range.start, values)?;
         }
         Ok(self.device.write(&self.gradient.statistics, 0, &statistics)?)
     }

@@ -211,8 +211,8 @@ fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 
         let first = tile.origin[axis];
         (first..size.min(first as u32 + side) as i32).filter(|at| at % STRIDE == STRIDE / 2)
     };
-    let [width, height] = [camera.width, camera.height];
-    along(1, height).flat_map(move |y| along(0, width).map(move |x| [x, y]))
+    let width = camera.width;
+    along(1, camera.height).flat_map(move |y| along(0, width).map(move |x| [x, y]))
 }
 
 /// The contributions of Gaussians to a pixel, and whether they are in front of its surface.

@@ -1,7 +1,10 @@
 //! The test case of a kernel: its inputs and its equation, and the comparison of a device with both.
 
+use std::any::TypeId;
 use std::cell::OnceCell;
+use std::collections::BTreeMap;
 use std::ops::Deref;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::number::Rounded;
 use crate::{Canary, KernelRunner, Measure, Output};
@@ -76,7 +79,22 @@ impl Case {
 }
 
 /// The equations' values for all elements of an output.
-fn exact<P: Parity>(set: &P, output: &Output, rounding: Rounding) -> Vec<Option<Rounded>> {
+type Values = Arc<[Option<Rounded>]>;
+
+/// A case, the index of a set, the name of an output, and a rounding.
+type Key = (TypeId, usize, &'static str, Rounding);
+
+/// The values that have been computed. Equations take longer than kernels, and many devices are compared with the same
+/// values.
+static COMPUTED: Mutex<BTreeMap<Key, Values>> = Mutex::new(BTreeMap::new());
+
+/// The equations' values for all elements of an output of the set with this index.
+fn exact<P: Parity>(index: usize, set: &P, output: &Output, rounding: Rounding) -> Values {
+    let computed = || COMPUTED.lock().unwrap_or_else(PoisonError::into_inner);
+    let key = (TypeId::of::<P>(), index, output.name, rounding);
+    if let Some(values) = computed().get(&key) {
+        return Arc::clone(values);
+    }
     let all = output.values.len();
     let mut exact = match rounding {
         Rounding::AsWritten => set.exact(output.name, all),
@@ -85,20 +103,22 @@ fn exact<P: Parity>(set: &P, output: &Output, rounding: Rounding) -> Vec<Option<
     let given = exact.len();
     assert!(given <= all, "`{}` has {all} values in `{}`, `exact` {given}", P::KERNEL, output.name);
     exact.resize(all, None);
-    exact
+    let values = Values::from(exact);
+    computed().insert(key, Arc::clone(&values));
+    values
 }
 
 /// Compares the outputs of two devices: each may be off by the equations' errors.
 fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Result<Measure> {
     let mut measure = Measure::default();
-    for (name, set) in P::sets() {
+    for (at, (name, set)) in P::sets().into_iter().enumerate() {
         let expected = set.run(&KernelRunner::new(cpu, P::KERNEL))?;
         let found = set.run(&KernelRunner::with_other_canaries(device, P::KERNEL))?;
         assert_eq!(expected.len(), found.len(), "outputs of `{}`", P::KERNEL);
         for (expected, found) in expected.iter().zip(&found) {
             let values = OnceCell::new();
             measure.add(&name, expected, found, |index| {
-                let value = values.get_or_init(|| exact(&set, expected, rounding))[index];
+                let value = values.get_or_init(|| exact(at, &set, expected, rounding))[index];
                 let value = value.unwrap_or(Rounded::exact(0.0));
                 Rounded { error: 2.0 * value.error, ..value }
             });
@@ -110,9 +130,9 @@ fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Resu
 /// Runs all sets and compares them with [`Parity::exact`].
 fn compare_with_exact<P: Parity>(device: &Device, rounding: Rounding) -> Result<Measure> {
     let mut measure = Measure::default();
-    for (name, set) in P::sets() {
+    for (at, (name, set)) in P::sets().into_iter().enumerate() {
         for output in set.run(&KernelRunner::new(device, P::KERNEL))? {
-            add(&mut measure, &name, &output, &exact(&set, &output, rounding));
+            add(&mut measure, &name, &output, &exact(at, &set, &output, rounding));
         }
     }
     Ok(measure)
@@ -230,7 +250,7 @@ macro_rules! case {
 }
 
 /// The rounding of a device.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rounding {
     /// Operations run as written: SPIR-V is passed through, with its `NoContraction`.
     AsWritten,

@@ -247,6 +247,9 @@ pub fn read_from(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     Ok(file)
 }
 
+/// A note of a file with harmonics of degree 4, which few programs write.
+const DEGREE_4: &str = "it has harmonics of degree 4, which are left out: colors differ a little";
+
 /// Key of the [`Placement`] in a file that has room for it.
 const PLACEMENT: &str = "organza";
 

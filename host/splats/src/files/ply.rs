@@ -5,7 +5,7 @@ use std::path::Path;
 
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
-use super::{PLACEMENT, Splat, SplatFile, log_of, turned};
+use super::{DEGREE_4, PLACEMENT, Splat, SplatFile, log_of, turned};
 use crate::harmonics::HARMONICS;
 use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
@@ -14,10 +14,18 @@ use organza_data::ply::{Ply, number};
 
 /// Number of coefficients `f_rest_*`: all but the first harmonic, of red, then of green, then of blue.
 const REST: usize = 3 * (HARMONICS - 1);
-/// Numbered properties: the name, their number, and their index in a [`Vertex`]'s row.
-const NUMBERED: [(&str, usize, usize); 4] =
-    [("f_dc_", 3, 0), ("f_rest_", REST, 3), ("scale_", 3, OPACITY + 1), ("rot_", 4, OPACITY + 4)];
-const OPACITY: usize = 3 + REST;
+/// The same in files with harmonics of degree 4.
+const LARGEST_REST: usize = 3 * 24;
+/// Numbered properties: the name, their largest number, and their index in a [`Vertex`]'s row.
+const NUMBERED: [(&str, usize, usize); 4] = [
+    ("f_dc_", 3, 0),
+    ("f_rest_", LARGEST_REST, 3),
+    ("scale_", 3, OPACITY + 1),
+    ("rot_", 4, OPACITY + 4),
+];
+const OPACITY: usize = 3 + LARGEST_REST;
+/// A file may have one Gaussian in so many that is not a number. Trainers leave a few behind.
+const NAN_SHARE: usize = 20;
 /// Properties that a Gaussian must have.
 const NEEDED: [&str; 14] = [
     "x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
@@ -28,7 +36,7 @@ const NEEDED: [&str; 14] = [
 fn names() -> impl Iterator<Item = String> {
     let numbered = |at: usize| {
         let (name, count, _) = NUMBERED[at];
-        (0..count).map(move |index| format!("{name}{index}"))
+        (0..count.min(REST)).map(move |index| format!("{name}{index}"))
     };
     let named = |names: &'static [&str]| names.iter().map(|name| (*name).to_owned());
     named(&["x", "y", "z", "nx", "ny", "nz"])
@@ -76,6 +84,12 @@ struct Vertex {
     row: [f32; OPACITY + 8],
 }
 
+impl Vertex {
+    fn has_nan(&self) -> bool {
+        self.position.iter().any(|x| x.is_nan()) || self.row.iter().any(|value| value.is_nan())
+    }
+}
+
 impl PropertyAccess for Vertex {
     fn new() -> Self {
         Self { position: [0.0; 3], row: [0.0; OPACITY + 8] }
@@ -109,14 +123,26 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     let file = Ply::open(bytes, path)?;
     let rest = file.properties().filter(|name| name.starts_with("f_rest_")).count();
     let said = said(&file, path)?;
-    let vertices: Vec<Vertex> = file.vertices(&NEEDED)?;
-    if ![0, 9, 24, 45].contains(&rest) {
+    let mut vertices: Vec<Vertex> = file.vertices(&NEEDED)?;
+    if ![0, 9, 24, 45, LARGEST_REST].contains(&rest) {
         return invalid(
             path,
             format!(
-                "vertices have {rest} properties `f_rest_*`, expected 0, 9, 24 or 45: harmonics of degree 0 to 3"
+                "vertices have {rest} properties `f_rest_*`, expected 0, 9, 24, 45 or 72: harmonics of degree 0 to 4"
             ),
         );
+    }
+    let mut notes = Vec::new();
+    if rest > REST {
+        notes.push(DEGREE_4.to_owned());
+    }
+    let all = vertices.len();
+    let broken = vertices.iter().filter(|vertex| vertex.has_nan()).count();
+    if broken > 0 && broken <= all / NAN_SHARE {
+        vertices.retain(|vertex| !vertex.has_nan());
+        notes.push(format!(
+            "{broken} of {all} Gaussians have NaN among their values; they are left out"
+        ));
     }
     let others = rest / 3;
     let splat = |Vertex { row, .. }: &Vertex| {
@@ -136,7 +162,8 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     };
     let splats = vertices.iter().map(splat).collect();
     let positions: Vec<_> = vertices.iter().map(|vertex| vertex.position).collect();
-    Ok(SplatFile::new(path, "PLY", splats).placed(said).with_positions(&positions))
+    let file = SplatFile { notes, ..SplatFile::new(path, "PLY", splats) };
+    Ok(file.placed(said).with_positions(&positions))
 }
 
 #[cfg(test)]
@@ -168,6 +195,31 @@ mod tests {
             [[0.1, 0.2, 0.3], [10.0, 20.0, 30.0], [11.0, 21.0, 31.0], [12.0, 22.0, 32.0]];
         assert_eq!(splat.color[..4], expected);
         assert_eq!(splat.color[4..], [[0.0; 3]; 12]);
+    }
+
+    #[test]
+    fn harmonics_of_degree_4_are_left_out() {
+        let names: String = (9..72).map(|i| format!("property float f_rest_{i}\n")).collect();
+        let values: Vec<_> = (0..72).map(|i| i.to_string()).collect();
+        let text = text().replace("end_header", &format!("{names}end_header"));
+        let text = text.replace("10 11 12 20 21 22 30 31 32", &values.join(" "));
+        let file = read_from(text.as_bytes(), Path::new("a.ply")).unwrap();
+        assert_eq!(file.notes, [DEGREE_4]);
+        assert_eq!(file.splats[0].color[15], [14.0, 38.0, 62.0]);
+    }
+
+    #[test]
+    fn a_few_gaussians_that_are_no_numbers_are_left_out() {
+        let mut splats = splats().repeat(3);
+        splats[5].color[1][2] = f32::NAN;
+        let mut bytes = Vec::new();
+        write(&splats, &Placement::default(), &mut bytes).unwrap();
+        let file = read_from(&bytes, Path::new("a.ply")).unwrap();
+        splats.remove(5);
+        let positions = |splats: &[Splat]| splats.iter().map(|splat| splat.position).collect();
+        let read: Vec<_> = positions(&file.splats);
+        assert_eq!(read, positions(&splats));
+        assert!(file.notes[0].contains("1 of 27 Gaussians"), "{:?}", file.notes);
     }
 
     /// A place on the Earth is relative to the scene before it is rounded.

@@ -15,7 +15,7 @@ use half::f16;
 use muslin::math::sigmoid;
 use organza_core::memory;
 
-use super::{Splat, SplatFile, byte, logit_of, smallest_three, turned, with_largest};
+use super::{DEGREE_4, Splat, SplatFile, byte, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{DEGREE, HARMONICS};
 use crate::placed::turn;
 use organza_core::error::{Result, invalid};
@@ -46,6 +46,8 @@ const SCALE: [f32; 2] = [16.0, 160.0];
 const COLOR: [f32; 2] = [0.15 * 255.0, 127.5];
 /// Factor and offset for any other harmonic.
 const REST: [f32; 2] = [128.0, 128.0];
+/// Largest degree of harmonics, of which [`DEGREE`] are read.
+const LARGEST_DEGREE: u8 = 4;
 /// Most bytes of extensions that are read.
 const MAX_EXTENSIONS: u64 = 1 << 20;
 /// Most bytes that one byte of gzip can expand to.
@@ -216,12 +218,12 @@ impl Header {
         let [degree, fraction, flags] = [bytes[12], bytes[13], bytes[14]];
         let header = Self { version: word(1), count, degree, fraction, flags };
         let version = header.version;
-        if !versions.contains(&version) || degree > DEGREE as u8 || fraction > MAX_FRACTION {
+        if !versions.contains(&version) || degree > LARGEST_DEGREE || fraction > MAX_FRACTION {
             return invalid(
                 path,
                 format!(
                     "it is an SPZ file of version {version} with harmonics of degree {degree} and coordinates of \
-                     {fraction} bits behind the point; expected version 1 to 4, degree 0 to 3, and at most {MAX_FRACTION} bits"
+                     {fraction} bits behind the point; expected version 1 to 4, degree 0 to {LARGEST_DEGREE}, and at most {MAX_FRACTION} bits"
                 ),
             );
         }
@@ -260,7 +262,11 @@ impl Header {
             turn(&mut splats, axes, 1.0, |place| (axes * DVec3::from(place)).to_array());
         }
         let format = ["SPZ 1", "SPZ 2", "SPZ 3", "SPZ 4"][self.version as usize - 1];
-        Ok(SplatFile::new(path, format, splats).placed(said))
+        let mut file = SplatFile::new(path, format, splats).placed(said);
+        if self.degree == LARGEST_DEGREE {
+            file.notes.push(DEGREE_4.to_owned());
+        }
+        Ok(file)
     }
 
     /// The Gaussians of the arrays.
@@ -518,6 +524,18 @@ mod tests {
         assert_refused(&with_4(table, 3), &["cut short"]);
         assert_refused(&with_4(40, 17), &["axes", "17"]);
         assert_refused(&with_4(36, 400), &["cut short"]);
+    }
+
+    /// 24 harmonics stand in a file with degree 4, 15 of them are read.
+    #[test]
+    fn harmonics_of_degree_4_are_left_out() {
+        let words = [MAGIC, 2, 1, u32::from_le_bytes([4, 12, 0, 0])];
+        let mut bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        bytes.resize(16 + 9 + 1 + 3 + 3 + 3, 0);
+        bytes.extend(128..128 + 72);
+        let file = super::super::read_from(&bytes, Path::new("a.spz")).unwrap();
+        assert_eq!(file.notes, [DEGREE_4]);
+        assert_eq!(file.splats[0].color[15], [42.0, 43.0, 44.0].map(|level| level / 128.0));
     }
 
     /// Files without extensions have axes to the right, up and back.

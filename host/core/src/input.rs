@@ -93,6 +93,9 @@ fn bytes_to_parse(text: &[u8]) -> u64 {
 /// Parses JSON. A byte order mark, which some editors leave, is skipped.
 pub fn parse_json(bytes: &[u8], origin: &Path) -> Result<Value> {
     memory::check(bytes_to_parse(bytes), &format!("parsing {}", origin.display()))?;
+    if matches!(bytes, [0xff, 0xfe, ..] | [0xfe, 0xff, ..]) {
+        return invalid(origin, "it is UTF-16 text, expected UTF-8: save it in this encoding");
+    }
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     serde_json::from_slice(text).map_err(|error| Error::json(origin, "JSON", text, &error))
 }
@@ -148,6 +151,9 @@ mod tests {
         }
         fs::write(&path, "{\"a\": 1").unwrap();
         assert!(matches!(read_json(&path), Err(Error::BadJson { line: 1, .. })));
+        // as PowerShell writes what a program prints
+        fs::write(&path, b"\xff\xfe{\0}\0").unwrap();
+        assert!(chain(&read_json(&path).unwrap_err()).contains("UTF-16"));
     }
 
     #[test]

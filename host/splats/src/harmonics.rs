@@ -4,8 +4,11 @@ use glam::Vec3;
 use muslin::prelude::Write;
 use organza_shaders::spherical_harmonics::{spherical_harmonics, width};
 
-/// Largest degree in files of other programs.
+/// Largest degree of a color. Files of other programs may have [more](FILE_DEGREE).
 pub const DEGREE: u32 = 3;
+
+/// Largest degree in files of other programs, of which [`DEGREE`] are read.
+pub const FILE_DEGREE: u32 = 4;
 
 /// Number of harmonics of a color.
 pub const HARMONICS: usize = width(DEGREE) as usize;

@@ -6,16 +6,17 @@ use std::path::Path;
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
 use super::{DEGREE_4, PLACEMENT, Splat, SplatFile, log_of, turned};
-use crate::harmonics::HARMONICS;
+use crate::harmonics::{FILE_DEGREE, HARMONICS};
 use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
 use organza_core::scene::Placement;
 use organza_data::ply::{Ply, number};
+use organza_shaders::spherical_harmonics::width;
 
 /// Number of coefficients `f_rest_*`: all but the first harmonic, of red, then of green, then of blue.
 const REST: usize = 3 * (HARMONICS - 1);
 /// The same in files with harmonics of degree 4.
-const LARGEST_REST: usize = 3 * 24;
+const LARGEST_REST: usize = 3 * (width(FILE_DEGREE) as usize - 1);
 /// Numbered properties: the name, their largest number, and their index in a [`Vertex`]'s row.
 const NUMBERED: [(&str, usize, usize); 4] = [
     ("f_dc_", 3, 0),

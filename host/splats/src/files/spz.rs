@@ -16,7 +16,7 @@ use muslin::math::sigmoid;
 use organza_core::memory;
 
 use super::{DEGREE_4, Splat, SplatFile, byte, logit_of, smallest_three, turned, with_largest};
-use crate::harmonics::{DEGREE, HARMONICS};
+use crate::harmonics::{DEGREE, FILE_DEGREE, HARMONICS};
 use crate::placed::turn;
 use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
@@ -46,8 +46,6 @@ const SCALE: [f32; 2] = [16.0, 160.0];
 const COLOR: [f32; 2] = [0.15 * 255.0, 127.5];
 /// Factor and offset for any other harmonic.
 const REST: [f32; 2] = [128.0, 128.0];
-/// Largest degree of harmonics, of which [`DEGREE`] are read.
-const LARGEST_DEGREE: u8 = 4;
 /// Most bytes of extensions that are read.
 const MAX_EXTENSIONS: u64 = 1 << 20;
 /// Most bytes that one byte of gzip can expand to.
@@ -218,12 +216,15 @@ impl Header {
         let [degree, fraction, flags] = [bytes[12], bytes[13], bytes[14]];
         let header = Self { version: word(1), count, degree, fraction, flags };
         let version = header.version;
-        if !versions.contains(&version) || degree > LARGEST_DEGREE || fraction > MAX_FRACTION {
+        if !versions.contains(&version)
+            || u32::from(degree) > FILE_DEGREE
+            || fraction > MAX_FRACTION
+        {
             return invalid(
                 path,
                 format!(
                     "it is an SPZ file of version {version} with harmonics of degree {degree} and coordinates of \
-                     {fraction} bits behind the point; expected version 1 to 4, degree 0 to {LARGEST_DEGREE}, and at most {MAX_FRACTION} bits"
+                     {fraction} bits behind the point; expected version 1 to 4, degree 0 to {FILE_DEGREE}, and at most {MAX_FRACTION} bits"
                 ),
             );
         }
@@ -263,7 +264,7 @@ impl Header {
         }
         let format = ["SPZ 1", "SPZ 2", "SPZ 3", "SPZ 4"][self.version as usize - 1];
         let mut file = SplatFile::new(path, format, splats).placed(said);
-        if self.degree == LARGEST_DEGREE {
+        if u32::from(self.degree) > DEGREE {
             file.notes.push(DEGREE_4.to_owned());
         }
         Ok(file)

@@ -36,7 +36,9 @@ impl Cameras {
     #[staticmethod]
     fn turntable(views: usize, side: u32) -> PyResult<Self> {
         if !(1..=100_000).contains(&views) || !(1..=MAX_IMAGE_SIDE).contains(&side) {
-            return Err(invalid("expected 1 to 100,000 views, and a side of 1 to 65536 pixels"));
+            return Err(invalid(format!(
+                "expected 1 to 100,000 views, and a side of 1 to {MAX_IMAGE_SIDE} pixels"
+            )));
         }
         Self(organza::demo::turntable(views, side)).checked()
     }

@@ -64,7 +64,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
 }
 
-fn show(args: &Args, info: &(impl serde::Serialize + std::fmt::Display)) -> Result<()> {
+fn show(args: &Args, info: &(impl Serialize + fmt::Display)) -> Result<()> {
     if args.json { print_json(info) } else { print(&info.to_string()) }
 }
 

@@ -1,7 +1,7 @@
 //! Handles Ctrl-C and SIGTERM, from the first moment of a training to its last, and while a film is rendered.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 use std::time::Duration;
@@ -58,12 +58,13 @@ impl Signals {
         &self.stop
     }
 
-    /// Locks a run's folder, which is removed if it stays empty. A signal waits meanwhile, because it removes a lock by the
-    /// name inside.
-    pub fn lock_run(&self, folder: &Folder, resume: bool) -> Result<RunFolder> {
+    /// Makes a run's folder, which is removed if it stays empty, and locks it. A signal waits meanwhile: it removes the folders that
+    /// were made, and a lock by the name inside.
+    pub fn lock_run(&self, path: &Path, resume: bool) -> Result<(Folder, Result<RunFolder>)> {
         let mut begun = lock(&self.begun);
-        begun.folder = Some((folder.path().to_owned(), folder.made().to_owned()));
-        RunFolder::lock(folder.path(), resume)
+        let folder = Folder::make(path)?;
+        begun.folder = Some((path.to_owned(), folder.made().to_owned()));
+        Ok((folder, RunFolder::lock(path, resume)))
     }
 
     /// From now on, a signal keeps the results.

@@ -25,7 +25,6 @@ use super::console::{Console, print, print_json};
 use super::demo::quoted;
 use super::device::DeviceArgs;
 use super::inputs::{DataSet, check_place};
-use super::output::Folder;
 use super::progress::{TrainingProgress, rounded};
 use super::ranks::{RankGroup, RanksArgs, follow_thread, of_many};
 use super::signals::Signals;
@@ -391,8 +390,7 @@ impl TrainJob<'_> {
         }
         let server = self.view.map(|(server, _)| server.listen(console)).transpose()?;
         // until there is something in the folder
-        let made = Folder::make(self.folder)?;
-        let folder = signals.lock_run(&made, self.resume);
+        let (_made, folder) = signals.lock_run(self.folder, self.resume)?;
         let folder =
             folder.map_err(|error| if group.is_none() { of_many(error) } else { error })?;
         let options = device.options()?;

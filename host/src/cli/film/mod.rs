@@ -86,6 +86,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let size @ [width, height] = [cameras[0].width, cameras[0].height];
     kind.check(size)?;
     Image::check_memory(width, height)?;
+    // before this, a signal has ended the program, and nothing was changed
+    let signals = Signals::listen()?;
+    signals.keeps_results();
     if kind != FilmKind::Frames {
         let origin = named.iter().map(|named| named.origin.as_path());
         let inputs: Vec<_> = origin.chain([source.named(), source.file()]).collect();
@@ -102,9 +105,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     };
     let renderer = &args.device.open(console)?;
     let scene = &shown.upload(&scenes, &args.scene_args, renderer)?;
-    // before this, a signal has ended the program, and nothing was changed
-    let signals = Signals::listen()?;
-    signals.keeps_results();
     let pictures = Pictures { renderer, scene, cameras, stop: Some(signals.stop()) };
     let mut summary = Summary::start();
     let mut not_finite = 0;

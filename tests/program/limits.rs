@@ -16,13 +16,13 @@ mod memory {
     use super::*;
     use crate::train::monstrous::SOON;
 
-    /// Memory limit in KiB: enough for the program and the tiny case.
-    const LIMIT: &str = "ulimit -v 1000000;";
+    /// Address space in KiB: enough for the program and the tiny case.
+    const LIMIT: u32 = 1_000_000;
 
     #[track_caller]
     fn assert_refused(sandbox: &Sandbox, words: &str, facts: &[&str]) {
         let before = sandbox.files();
-        sandbox.shell(&format!("{LIMIT} \"$ORGANZA\" {words}")).assert_refused(facts);
+        sandbox.run_within(LIMIT, words).assert_refused(facts);
         assert!(before == sandbox.files(), "{words} left {:?}", sandbox.files().keys());
     }
 
@@ -33,15 +33,13 @@ mod memory {
         let text = format!("{{\"frames\": [{}0]}}", "{\"\":0},".repeat(400_000));
         sandbox.write("cameras.json", text);
         let facts = ["out of memory: parsing cameras.json needs", "are available"];
-        let outcome = sandbox.shell("ulimit -v 200000; \"$ORGANZA\" info cameras.json");
-        outcome.assert_refused(&facts);
+        sandbox.run_within(200_000, "info cameras.json").assert_refused(&facts);
         sandbox.assert_refuses("info cameras.json", &["frame 0", "`transform_matrix` is missing"]);
     }
 
     #[test]
     fn a_small_batch_fits() {
-        let words = format!("{LIMIT} \"$ORGANZA\" {TILES} -o out --threads 1");
-        Sandbox::new("tiny").shell(&words).assert_ok();
+        Sandbox::new("tiny").run_within(LIMIT, &format!("{TILES} -o out")).assert_ok();
     }
 
     #[test]
@@ -61,7 +59,7 @@ mod memory {
         for side in ["/w", "/h"] {
             sandbox.edit_json("cameras.json", side, json!(65536));
         }
-        let words = "render scene.safetensors cameras.json -o images --backend cpu --threads 1";
+        let words = "render scene.safetensors cameras.json -o images --backend cpu";
         let start = Instant::now();
         assert_refused(&sandbox, words, &["65536 x 65536", "needs 12.00 GiB", "are available"]);
         assert!(start.elapsed() < SOON, "it was rendered first");
@@ -77,8 +75,7 @@ mod memory {
         let mut file = File::create(&path).unwrap();
         file.write_all(&header).unwrap();
         file.set_len(header.len() as u64 + length).unwrap();
-        let words = "info scene.safetensors";
-        sandbox.shell(&format!("{LIMIT} \"$ORGANZA\" {words}")).assert_refused(&[
+        sandbox.run_within(LIMIT, "info scene.safetensors").assert_refused(&[
             "out of memory",
             "the scene needs 2.42 GiB",
             "are available",

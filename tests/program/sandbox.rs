@@ -203,6 +203,13 @@ impl Sandbox {
         command.output().expect("a shell runs").into()
     }
 
+    /// Runs the program with this much address space, in KiB. Each thread reserves 66 MiB of it, so there are few threads on
+    /// every machine.
+    #[cfg(target_os = "linux")]
+    pub fn run_within(&self, kib: u32, words: &str) -> Outcome {
+        self.shell(&format!("ulimit -v {kib}; RAYON_NUM_THREADS=2 \"$ORGANZA\" {words}"))
+    }
+
     fn prepare(&self, command: &mut Command) {
         command.current_dir(self.folder.path()).stdin(Stdio::null());
         // Only developers need a backtrace. A server and a container have no folder for a desktop's sockets.

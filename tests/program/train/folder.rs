@@ -145,19 +145,19 @@ fn pipes_and_links_in_the_place_of_a_runs_files_are_refused() {
         for make in ["mkfifo", "ln -s ../precious", "mkdir"] {
             let script = format!("rm -r new; mkdir new; {make} new/{name}");
             sandbox.shell(&script).assert_ok();
-            let outcome = sandbox.shell(&format!("timeout 20 \"$ORGANZA\" {TINY} new --steps 2"));
+            let outcome = sandbox.shell(&format!("timeout 60 \"$ORGANZA\" {TINY} new --steps 2"));
             outcome.assert_refused(&["new", name]);
         }
     }
     for make in ["mkfifo", "ln -s ..", "touch"] {
         sandbox.shell(&format!("rm -r new; mkdir new; {make} new/pictures")).assert_ok();
-        let outcome = sandbox.shell(&format!("timeout 20 \"$ORGANZA\" {TINY} new --steps 2"));
+        let outcome = sandbox.shell(&format!("timeout 60 \"$ORGANZA\" {TINY} new --steps 2"));
         outcome.assert_refused(&["new", "pictures", "expected a folder"]);
     }
     for name in ["metrics.jsonl", "config.toml", "checkpoint.safetensors"] {
         sandbox.shell(&format!("cp -r run old; rm old/{name}; mkfifo old/{name}")).assert_ok();
         let resume = RESUME.replace(" run", " old");
-        sandbox.shell(&format!("timeout 20 \"$ORGANZA\" {resume}")).assert_refused(&[name]);
+        sandbox.shell(&format!("timeout 60 \"$ORGANZA\" {resume}")).assert_refused(&[name]);
         fs::remove_dir_all(sandbox.path("old")).unwrap();
     }
     assert_eq!(sandbox.text("precious"), "precious");

@@ -137,11 +137,11 @@ fn a_log_file_has_steps_evaluations_and_the_end() {
     assert!(lines[first].contains("PSNR ") && lines[first].contains(" dB, 200 Gaussians"));
     let [early, last] =
         [20, 40].map(|step| position(&format!("step {step}: 2 held-out views: PSNR ")));
-    let end = position("finished: 40 steps in 00:00:");
+    let end = position("finished: 40 steps in 00:");
     assert!(first < early && early < last && last < end, "{lines:#?}");
     assert!(lines[end].contains("of training, ") && lines[end].ends_with(" Gaussians"));
     // not one line per step
-    assert!(lines.len() < 20, "{lines:#?}");
+    assert!(lines.len() < 40, "{lines:#?}");
     let outcome = sandbox.run(&format!("{TINY} quiet --quiet")).assert_ok();
     assert_eq!(outcome.stderr, "");
     // a schedule may change
@@ -156,7 +156,7 @@ fn a_log_file_has_steps_evaluations_and_the_end() {
 #[test]
 fn a_longer_training_says_how_long_it_takes() {
     let sandbox = sandbox();
-    let words = format!("{TINY} run --steps 1000000 --evaluate-every 0 --time-limit 3 --threads 1");
+    let words = format!("{TINY} run --steps 1000000 --evaluate-every 0 --time-limit 6 --threads 1");
     let outcome = sandbox.run(&words).assert_ok();
     let second = outcome.stderr.lines().filter(|line| line.contains(" of 1,000,000: loss ")).nth(1);
     let second = second.unwrap_or_else(|| panic!("{outcome:?}"));
@@ -165,7 +165,7 @@ fn a_longer_training_says_how_long_it_takes() {
     assert!(speed.parse::<f64>().is_ok_and(|speed| speed > 0.0), "{second}");
     // up to the time limit, not for a million steps
     let left = rest.strip_suffix("s left").expect("a time");
-    assert!(left.parse::<u32>().is_ok_and(|left| left <= 2), "{second}");
+    assert!(left.parse::<u32>().is_ok_and(|left| left <= 5), "{second}");
     assert!(outcome.stderr.contains("finished at the time limit: "), "{outcome:?}");
 }
 

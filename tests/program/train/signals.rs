@@ -10,19 +10,24 @@ use super::processes::{signal, start, wait_for_end};
 use super::runs::{BUILT_IN, TINY, add_views, sandbox};
 use crate::sandbox::{Outcome, wait_until};
 
-/// Waits for the program's end, which must come within seconds.
+/// Waits for the program's end, which must come within a minute.
 fn end(mut child: Child) -> Outcome {
     wait_for_end(&mut child);
     child.wait_with_output().expect("it has ended").into()
 }
 
-/// Rendering the views would take half a minute.
+/// Rendering the views would take many minutes.
 #[test]
 fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
     let sandbox = sandbox();
     let before = sandbox.files();
     for (name, delay) in [("TERM", 0), ("INT", 100), ("HUP", 400)] {
-        let child = start(&sandbox, &format!("{BUILT_IN} deep/run --set data.built_in_views=600"));
+        let child = start(
+            &sandbox,
+            &format!(
+                "{BUILT_IN} deep/run --set data.built_in_views=1000 --set data.built_in_side=96"
+            ),
+        );
         wait_until("the folder is locked", || sandbox.path("deep/run/.organza-lock").exists());
         thread::sleep(Duration::from_millis(delay));
         signal(&child, name);
@@ -36,8 +41,9 @@ fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
 fn a_signal_is_not_swallowed_where_standard_error_blocks() {
     let sandbox = sandbox();
     sandbox.shell("mkfifo pipe").assert_ok();
-    let script =
-        format!("exec 3<>pipe; head -c 65536 /dev/zero >&3; exec \"$ORGANZA\" {TINY} run 2>&3");
+    // a page is the unit in which pipes are filled
+    let fill = "dd if=/dev/zero of=pipe bs=4096 oflag=nonblock 2>/dev/null";
+    let script = format!("exec 3<>pipe; {fill}; exec \"$ORGANZA\" {TINY} run 2>&3");
     let mut command = Command::new("sh");
     command.args(["-c", &script]).env("ORGANZA", crate::sandbox::program());
     command.current_dir(sandbox.path("")).stdin(Stdio::null());
@@ -56,7 +62,8 @@ fn a_signal_is_not_swallowed_where_standard_error_blocks() {
 fn a_signal_while_measuring_saves_and_stops() {
     let sandbox = sandbox();
     add_views(&sandbox, 60);
-    let child = start(&sandbox, &format!("{TINY} run --hold-out-every 2 --evaluate-every 1"));
+    let words = format!("{TINY} run --steps 100000 --hold-out-every 2 --evaluate-every 1");
+    let child = start(&sandbox, &words);
     wait_until("a first step", || {
         let text = fs::read_to_string(sandbox.path("run/metrics.jsonl")).unwrap_or_default();
         text.contains("\"kind\":\"step\"")

@@ -124,7 +124,7 @@ impl Viewer {
 /// Connects, if a server listens.
 pub fn connect(host: &str) -> io::Result<TcpStream> {
     let stream = TcpStream::connect(host)?;
-    stream.set_read_timeout(Some(Duration::from_secs(60)))?;
+    stream.set_read_timeout(Some(Duration::from_secs(240)))?;
     Ok(stream)
 }
 

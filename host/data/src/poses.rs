@@ -308,12 +308,18 @@ impl Poses {
         let seen = (0..count).filter(|&index| !dataset.frames[index].image.is_hidden());
         (dataset.held_out, dataset.train) = seen.partition(|&index| shots[index].held_out);
         if dataset.train.is_empty() && !is_part {
-            let reason = format!(
-                "every photograph that is there is held out ({count}), so none is left to train on; \
-                 add photographs, or hold none out"
-            );
+            let reason = match shots.iter().all(|shot| shot.held_out) {
+                true => format!(
+                    "every photograph that is there is held out ({count}), so none is left to train on; add \
+                     photographs, or hold none out"
+                ),
+                false => "nothing is left to train on: masks or alpha hide each photograph whole; a mask is black where it \
+                          hides"
+                    .to_owned(),
+            };
             return invalid(&dataset.path, reason);
         }
+        dataset.notes.extend(hidden(&shots, &dataset.frames));
         dataset.masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
         dataset.fingerprint = dataset.fingerprint.with_photographs(&digests);
         dataset.notes.extend(repeated(&shots, &digests));
@@ -321,6 +327,19 @@ impl Poses {
         dataset.poses = shots.iter().map(|shot| shot.pose).collect();
         Ok(dataset)
     }
+}
+
+/// A note if masks or alpha hide photographs whole. A view of a panorama may be hidden, such as a sky.
+fn hidden(shots: &[Shot], frames: &[Frame]) -> Option<String> {
+    let all = shots.iter().zip(frames);
+    let hidden = all.filter(|(shot, frame)| shot.lens.cut.is_none() && frame.image.is_hidden());
+    let hidden: Vec<_> = hidden.map(|(shot, _)| shot.path.display()).collect();
+    let first = hidden.first()?;
+    Some(format!(
+        "masks or alpha hide {} of {} photographs whole, such as {first}: these are neither trained nor measured on",
+        hidden.len(),
+        shots.len()
+    ))
 }
 
 /// A number with two digits.

@@ -109,8 +109,14 @@ fn masked_pixels_are_not_valid() {
     let before = load(folder.path()).unwrap().fingerprint;
     write_image(&folder.path().join("masks/1.png.png"), [6, 4], [255; 3]);
     assert_eq!(load(folder.path()).unwrap().fingerprint.difference(&before), Some("photographs"));
+    // A black mask hides a photograph whole. Something must be left.
     write_image(&folder.path().join("masks/1.png.png"), [6, 4], [0; 3]);
-    assert_refused(folder.path(), &["images/1.png", "masks/1.png.png", "black"]);
+    let dataset = load_with(folder.path(), |options| options.hold_out_every = 0).unwrap();
+    assert_eq!((&*dataset.train, dataset.frames.len()), (&[0, 2][..], 3));
+    let [note] = &*dataset.notes else { panic!("{:?}", dataset.notes) };
+    assert!(note.contains("1 of 3 photographs") && note.contains("images/1.png"), "{note}");
+    write_image(&folder.path().join("masks/2.png.png"), [6, 4], [0; 3]);
+    assert_refused(folder.path(), &["nothing is left to train on", "a mask is black"]);
     half(&folder.path().join("masks/1.png.png"), [5, 4]);
     assert_refused(folder.path(), &["masks/1.png.png", "5 x 4"]);
 }

@@ -1,7 +1,7 @@
 //! `organza demo`: the built-in scene, as something to look at and to try.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
 use organza::data::encode_jpeg;
 use organza::image::TILE_SIDE;
@@ -182,8 +182,11 @@ fn next_steps(path: &Path, cameras: &[Camera]) -> String {
 /// A path, quoted for a shell.
 pub fn quoted(path: &Path) -> String {
     let text = path.display().to_string();
-    let is_plain = |c: char| c.is_alphanumeric() || "/\\:._-+".contains(c);
-    if text.chars().all(is_plain) { text } else { format!("'{text}'") }
+    let is_plain = |c: char| c.is_alphanumeric() || c == MAIN_SEPARATOR || "/:._-+".contains(c);
+    if text.chars().all(is_plain) {
+        return text;
+    }
+    shlex::try_quote(&text).expect("a path has no NUL").into_owned()
 }
 
 /// Default number of photographs, and of pixels of their width.

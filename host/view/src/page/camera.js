@@ -105,4 +105,6 @@ export function farness({ camera_to_world: pose }, poses, center) {
 // What is seen of a picture, before the background: all of it up to 1, and a third from 3 on, where nothing holds the scene together.
 export const opacityAt = (far) => Math.min(1, Math.max(1 / 3, (4 - far) / 3));
 
-export const hex = (color) => `#${color.map((value) => Math.round(value * 255).toString(16).padStart(2, "0")).join("")}`;
+// A scene's background may be outside of 0 to 1: images clamp it.
+const byteOf = (value) => Math.round(Math.min(Math.max(value, 0), 1) * 255);
+export const hex = (color) => `#${color.map((value) => byteOf(value).toString(16).padStart(2, "0")).join("")}`;

@@ -21,6 +21,7 @@ use crate::placed::turn;
 use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
 use organza_core::scene::Placement;
+use organza_shaders::spherical_harmonics::width;
 
 /// Cosine of the largest angle between the upward direction and the axis that is named for it: 30 degrees.
 const NEAR: f64 = 0.866;
@@ -243,9 +244,9 @@ impl Header {
         Ok(header)
     }
 
-    /// Harmonics but the first.
+    /// Number of harmonics but the first.
     fn others(&self) -> usize {
-        (usize::from(self.degree) + 1).pow(2) - 1
+        width(self.degree.into()) as usize - 1
     }
 
     /// Bytes of a Gaussian in each array.
@@ -317,8 +318,8 @@ pub fn read_old(mut source: impl Read, length: usize, max: u64, path: &Path) -> 
     source.read_exact(&mut bytes).or_else(|_| cut(path))?;
     let header = Header::parse(&bytes, length, max, &[1, 2, 3], path)?;
     let mut arrays = [const { Vec::new() }; 6];
-    for (array, width) in arrays.iter_mut().zip(header.widths()) {
-        *array = fill(&mut source, width * header.count, path)?;
+    for (array, bytes) in arrays.iter_mut().zip(header.widths()) {
+        *array = fill(&mut source, bytes * header.count, path)?;
     }
     let mut extensions = Vec::new();
     if header.flags & EXTENDED != 0 {

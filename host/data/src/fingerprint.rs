@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
 use super::Point;
-use super::lens::{Lens, Projection};
+use super::lens::{Lens, Reprojection};
 use organza_core::{Camera, hex};
 
 /// The first digits of the SHA-256 of a photograph's file and of its mask, if it has one.
@@ -63,11 +63,12 @@ impl Fingerprint {
             for value in pose.iter().copied().chain(intrinsics).chain(lens.coefficients()) {
                 hash.update(value.to_bits().to_le_bytes());
             }
-            hash.update([lens.projection.code(), held_out.into()]);
-            if let Some(cut) = lens.cut {
-                // the name that earlier runs knew, or their data would seem to have changed
-                let cut = format!("{cut:?}").replacen("Reprojection", "Cut", 1);
-                hash.update(format!("{cut} {}", lens.projection == Projection::Panorama));
+            hash.update([lens.projection as u8, held_out.into()]);
+            if let Some(Reprojection { axes, focal, center, size }) = lens.cut {
+                let axes = axes.into_iter().flat_map(|axis| axis.to_array());
+                for value in axes.chain(focal).chain(center).chain(size.map(f64::from)) {
+                    hash.update(value.to_bits().to_le_bytes());
+                }
             }
         }
         let frames = digits(hash, 32);

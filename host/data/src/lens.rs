@@ -10,7 +10,7 @@ use organza_core::camera::Camera;
 /// Number of steps, in [`Lens::extent`], in the search for the radius at which a lens folds.
 const FOLD_STEPS: u32 = 4096;
 
-/// How a lens maps directions. A new kind needs its place in [`Lens`] and a name in the readers, and nothing else.
+/// How a lens maps directions. A kind's number is a part of [fingerprints](super::Fingerprint): append new ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Projection {
     /// Onto a plane.
@@ -20,16 +20,6 @@ pub(super) enum Projection {
     Fisheye,
     /// A panorama of 360 degrees in the equirectangular projection.
     Panorama,
-}
-
-impl Projection {
-    /// What identifies it in a fingerprint: a panorama's views say more of it.
-    pub fn code(self) -> u8 {
-        match self {
-            Self::Plane | Self::Panorama => 0,
-            Self::Fisheye => 1,
-        }
-    }
 }
 
 /// Distortion coefficients. A pinhole has all 0, and projects onto a plane.

@@ -412,16 +412,10 @@ pub struct Traffic {
     pub waits: u64,
     /// Submissions to the queue.
     pub submissions: u64,
-    /// Command buffers in them.
-    pub command_buffers: u64,
-    /// Dispatches in these.
+    /// Dispatches in them.
     pub dispatches: u64,
     /// Bytes that the host has written, with the kernels' parameters.
     pub bytes_up: u64,
-    /// Bytes that the host has asked to read.
-    pub bytes_down: u64,
-    /// Buffers that the driver has made, because no unused one had the size.
-    pub buffers: u64,
 }
 
 impl std::ops::Sub for Traffic {
@@ -431,11 +425,8 @@ impl std::ops::Sub for Traffic {
         Self {
             waits: self.waits - before.waits,
             submissions: self.submissions - before.submissions,
-            command_buffers: self.command_buffers - before.command_buffers,
             dispatches: self.dispatches - before.dispatches,
             bytes_up: self.bytes_up - before.bytes_up,
-            bytes_down: self.bytes_down - before.bytes_down,
-            buffers: self.buffers - before.buffers,
         }
     }
 }

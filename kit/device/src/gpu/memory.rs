@@ -2,10 +2,7 @@
 //! NVIDIA H200, a forward pass of 20,000 Gaussians took 16 ms with new memory for each batch, and 9 ms without.
 
 use std::ops::Deref;
-use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
-
-use super::pipeline::Pipeline;
-use muslin_kernel::KernelInfo;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Number of submissions after which unused memory returns to the driver.
 pub const SUBMISSIONS: u64 = 64;
@@ -108,58 +105,5 @@ impl MemoryPool {
     /// Returns the free memory to the driver.
     pub fn clear(&self) {
         self.unused().free.clear();
-    }
-}
-
-// Parameters that only the device knows. `count_fill` writes them into the uniform buffer, after the dispatches that
-// count and before dispatches that read.
-
-/// The kernel `count_fill`.
-pub static COUNT_FILL: LazyLock<&'static KernelInfo> = LazyLock::new(|| {
-    let mut kernels = muslin_kernel::kernels_of("muslin-kernel");
-    kernels.find(|kernel| kernel.name == "count_fill").expect("it is declared")
-});
-
-/// Numbers to fill in, grouped by the buffer that holds them.
-#[derive(Debug, Default)]
-pub struct Fills {
-    fills: Vec<Fill>,
-}
-
-#[derive(Debug)]
-pub struct Fill {
-    pub counts: wgpu::Buffer,
-    pub pipeline: Arc<Pipeline>,
-    /// The placement that [`muslin_kernel::count::count_fill`] reads, without the first row.
-    pub placement: Vec<u32>,
-}
-
-/// A number that only the device knows: at index `place` of `counts`, without the items before `first`, at most `upper_bound`.
-#[derive(Clone, Copy, Debug)]
-pub struct PendingCount<'a> {
-    pub counts: &'a wgpu::Buffer,
-    pub place: u32,
-    pub first: u32,
-    pub upper_bound: u32,
-}
-
-impl Fills {
-    /// Registers a number to be written to a word of the uniform buffer.
-    pub fn add(&mut self, pipeline: &Arc<Pipeline>, word: u32, count: &PendingCount<'_>) {
-        let PendingCount { counts, place, first, upper_bound } = *count;
-        let row = [word, place, first, upper_bound];
-        match self.fills.iter_mut().find(|fill| fill.counts == *counts) {
-            Some(fill) => fill.placement.extend(row),
-            None => self.fills.push(Fill {
-                counts: counts.clone(),
-                pipeline: pipeline.clone(),
-                placement: row.to_vec(),
-            }),
-        }
-    }
-
-    /// All of them; afterward there are none.
-    pub fn take(&mut self) -> Vec<Fill> {
-        std::mem::take(&mut self.fills)
     }
 }

@@ -1,9 +1,11 @@
 //! The GPU backend: wgpu buffers, and dispatches queued into command buffers.
 
 mod adapter;
+mod counts;
 pub mod memory;
 mod pipeline;
 mod recorder;
+mod timer;
 
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::Duration;
@@ -13,9 +15,10 @@ use muslin_kernel::{EntryPoint, KernelInfo};
 use crate::buffer::{Count, Memory, RawBuffer, Total};
 use crate::{DeviceOptions, Error, Modules, Result, SpirvPath, Traffic};
 pub use adapter::adapters;
-use memory::{COUNT_FILL, GpuMemory, MemoryPool, PendingCount};
+use counts::{COUNT_FILL, Counted, PendingCount};
+use memory::{GpuMemory, MemoryPool};
 use pipeline::{Pipelines, Variants};
-use recorder::{Counted, Recorder};
+use recorder::Recorder;
 
 /// The largest buffer for reading that is kept, in bytes.
 const MAX_STAGING: u64 = 64 << 20;
@@ -156,7 +159,6 @@ impl Gpu {
         });
         let new =
             new.ok_or_else(|| Error::OutOfMemory { needed: bytes, available: None, what: what() })?;
-        self.recorder().traffic.buffers += 1;
         Ok(self.memory.lend(new))
     }
 
@@ -219,7 +221,6 @@ impl Gpu {
             at += words.end - words.start;
         }
         let submission = recorder.submit(&self.device, &self.queue);
-        recorder.traffic.bytes_down += size;
         drop(recorder);
         let (sender, mapped) = mpsc::channel();
         // not more than the copy writes: wgpu would clear the rest first

@@ -1,31 +1,24 @@
-//! Dispatches, collected into command buffers, with bind groups that are kept and timestamps around them.
+//! Dispatches, collected into command buffers, with bind groups that are kept.
 
 use std::collections::HashMap;
 use std::ops::Range;
-use std::sync::Arc;
-use std::time::Duration;
 
 use muslin_kernel::count::PLACEMENT_VALUES;
 use muslin_kernel::{Access, KernelInfo};
 
-use super::memory::{COUNT_FILL, Fill, Fills, MemoryPool, PendingCount, SUBMISSIONS};
+use super::counts::{COUNT_FILL, Counted, Fill};
+use super::memory::{MemoryPool, SUBMISSIONS};
 use super::pipeline::Pipeline;
+use super::timer::Timer;
 use crate::Traffic;
 
+/// Most dispatches in one submission: each keeps its slot until then. The device works on them while the host records the next.
+pub const SLOTS: u64 = 64;
 /// Bytes of a uniform slot: the largest alignment that an adapter may require.
 const SLOT: u64 = 256;
 /// Bytes of the placements of a submission. A dispatch has at most 64 parameters, each takes a row of 16 bytes, and whatever
 /// begins at a multiple of [`SLOT`] takes another row.
 const PLACEMENT: u64 = 5 * SLOT * SLOTS;
-
-/// Parameters of a dispatch that the device fills in.
-#[derive(Clone, Copy, Debug)]
-pub struct Counted<'a> {
-    /// Counts by their offset in the uniform buffer.
-    pub counts: &'a [(usize, PendingCount<'a>)],
-    /// Pipeline of `count_fill`.
-    pub fill: &'a Arc<Pipeline>,
-}
 
 /// Command buffers under construction. They are submitted together.
 #[derive(Debug)]
@@ -35,7 +28,7 @@ pub struct Recorder {
     /// Command buffers before `encoder`.
     finished: Vec<wgpu::CommandBuffer>,
     /// Parameters that the device fills in, between `finished` and `encoder`.
-    fills: Fills,
+    fills: Vec<Fill>,
     /// The pass of the last dispatches. It ends before other commands, and each timed dispatch has its own.
     pass: Option<wgpu::ComputePass<'static>>,
     encoder: Option<wgpu::CommandEncoder>,
@@ -68,7 +61,7 @@ impl Recorder {
         Self {
             first: None,
             finished: Vec::new(),
-            fills: Fills::default(),
+            fills: Vec::new(),
             pass: None,
             encoder: None,
             uniforms: buffer("uniforms", SLOT * SLOTS, wgpu::BufferUsages::UNIFORM),
@@ -107,11 +100,8 @@ impl Recorder {
         let offset = self.slots.len() as u64;
         self.slots.extend_from_slice(uniform);
         self.slots.resize((offset + SLOT) as usize, 0);
-        for counted in counts.iter() {
-            for (place, count) in counted.counts {
-                let word = (offset as usize + place) / size_of::<u32>();
-                self.fills.add(counted.fill, word as u32, count);
-            }
+        if let Some(counted) = counts {
+            counted.add_to(&mut self.fills, offset as usize);
         }
 
         let uniforms = wgpu::BufferBinding {
@@ -192,7 +182,7 @@ impl Recorder {
 
     /// Fills in the parameters of the dispatches in `encoder`. If nothing of the submission comes before these, `first` can do it.
     fn fill_in(&mut self, device: &wgpu::Device) {
-        let fills = self.fills.take();
+        let fills = std::mem::take(&mut self.fills);
         if fills.is_empty() {
             return;
         }
@@ -253,7 +243,6 @@ impl Recorder {
             }
         }
         self.traffic.submissions += 1;
-        self.traffic.command_buffers += self.finished.len() as u64 + u64::from(first.is_some());
         let submission = queue.submit(first.into_iter().chain(self.finished.drain(..)));
         self.memory.submitted();
         self.bind_groups.submitted();
@@ -326,115 +315,5 @@ impl BindGroups {
     /// Forgets all bind groups, and so the memory that they hold.
     pub fn clear(&mut self) {
         self.made.clear();
-    }
-}
-
-/// Most dispatches in one submission: each keeps its slot until then. The device works on them while the host records the next.
-pub const SLOTS: u64 = 64;
-
-/// Size of a timestamp, in bytes.
-const STAMP: u64 = size_of::<u64>() as u64;
-
-/// Timestamps of one command buffer, and of submitted ones that have not been read yet.
-#[derive(Debug)]
-pub struct Timer {
-    /// Begin and end of each dispatch.
-    stamps: wgpu::QuerySet,
-    resolved: wgpu::Buffer,
-    /// The kernels in the current command buffer.
-    kernels: Vec<&'static str>,
-    submitted: Vec<Submitted>,
-}
-
-/// Timestamps of a submitted command buffer.
-#[derive(Debug)]
-struct Submitted {
-    kernels: Vec<&'static str>,
-    /// Timestamps, `[kernels, 2]`: begin and end.
-    stamps: wgpu::Buffer,
-}
-
-impl Timer {
-    /// `None` if the device has no timestamps.
-    pub fn new(device: &wgpu::Device) -> Option<Self> {
-        device.features().contains(wgpu::Features::TIMESTAMP_QUERY).then(|| Self {
-            stamps: device.create_query_set(&wgpu::QuerySetDescriptor {
-                label: Some("timestamps"),
-                ty: wgpu::QueryType::Timestamp,
-                count: 2 * SLOTS as u32,
-            }),
-            resolved: device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("timestamps"),
-                size: 2 * SLOTS * STAMP,
-                usage: wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
-                mapped_at_creation: false,
-            }),
-            kernels: Vec::new(),
-            submitted: Vec::new(),
-        })
-    }
-
-    /// Whether all timestamps have been read.
-    pub fn is_empty(&self) -> bool {
-        self.kernels.is_empty() && self.submitted.is_empty()
-    }
-
-    /// Whether something was timed since the last [`Timer::resolve`].
-    pub fn has_unresolved(&self) -> bool {
-        !self.kernels.is_empty()
-    }
-
-    /// The timestamps that the pass of a kernel's dispatch must write.
-    pub fn time(&mut self, kernel: &'static str) -> wgpu::ComputePassTimestampWrites<'_> {
-        let begin = 2 * self.kernels.len() as u32;
-        self.kernels.push(kernel);
-        wgpu::ComputePassTimestampWrites {
-            query_set: &self.stamps,
-            beginning_of_pass_write_index: Some(begin),
-            end_of_pass_write_index: Some(begin + 1),
-        }
-    }
-
-    /// Adds the last commands before a submission, which copy the timestamps to where the host reads them.
-    pub fn resolve(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
-        if self.kernels.is_empty() {
-            return;
-        }
-        let kernels = std::mem::take(&mut self.kernels);
-        let size = 2 * kernels.len() as u64 * STAMP;
-        let stamps = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("timestamps read back"),
-            size,
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        encoder.resolve_query_set(&self.stamps, 0..2 * kernels.len() as u32, &self.resolved, 0);
-        encoder.copy_buffer_to_buffer(&self.resolved, 0, &stamps, 0, size);
-        self.submitted.push(Submitted { kernels, stamps });
-    }
-
-    /// Maps the submitted timestamps. They are readable after waiting for the device.
-    pub fn map(&self) {
-        for submitted in &self.submitted {
-            // an error shows up when reading
-            submitted.stamps.slice(..).map_async(wgpu::MapMode::Read, |_| {});
-        }
-    }
-
-    /// Returns the time of each dispatch. `period` is [`wgpu::Queue::get_timestamp_period`]. Empty for a lost
-    /// device.
-    pub fn take(&mut self, period: f32) -> Vec<(&'static str, Duration)> {
-        let mut times = Vec::new();
-        for Submitted { kernels, stamps } in self.submitted.drain(..) {
-            let Ok(bytes) = stamps.slice(..).get_mapped_range() else { continue };
-            for (kernel, stamps) in kernels.into_iter().zip(bytes.chunks_exact(2 * STAMP as usize))
-            {
-                let [begin, end]: [u64; 2] = bytemuck::pod_read_unaligned(stamps);
-                // some GPUs swap the timestamps of an empty pass
-                let nanoseconds = end.saturating_sub(begin) as f64 * f64::from(period);
-                times.push((kernel, Duration::from_nanos(nanoseconds.round() as u64)));
-            }
-        }
-        times
     }
 }

@@ -45,24 +45,21 @@ impl Tolerance {
     }
 
     fn worst(&self, expected: &Tensor, actual: &Tensor) -> Option<String> {
-        let values = || expected.values.iter().zip(&actual.values).enumerate();
-        let beyond = values().filter(|(_, (e, a))| !self.allows(expected, **e, **a)).count();
-        if beyond == 0 {
-            return None;
-        }
-        let failing = values().filter(|(_, (e, a))| !self.allows(expected, **e, **a));
-        let (index, (&e, &a)) =
-            failing.max_by(|x, y| apart(*x.1.0, *x.1.1).total_cmp(&apart(*y.1.0, *y.1.1)))?;
+        let pairs = expected.values.iter().copied().zip(actual.values.iter().copied());
+        let beyond = pairs.enumerate().filter(|(_, (e, a))| !self.allows(expected, *e, *a));
+        let beyond: Vec<_> = beyond.map(|(index, (e, a))| (apart(e, a), index, e, a)).collect();
+        let (_, index, e, a) = *beyond.iter().max_by(|x, y| x.0.total_cmp(&y.0))?;
         let allowed = match expected.exact {
             true => "it must be equal".to_owned(),
             false => format!("allowed is {:.1e} + {:.1e} |expected|", self.absolute, self.relative),
         };
         Some(format!(
-            "`{}` {:?} is {:.3e} apart at {}: {a} for {e}; {allowed}; {beyond} of {} values are beyond",
+            "`{}` {:?} is {:.3e} apart at {}: {a} for {e}; {allowed}; {} of {} values are beyond",
             expected.name,
             expected.shape,
             apart(e, a),
             place(&expected.shape, index),
+            beyond.len(),
             expected.values.len(),
         ))
     }

@@ -324,16 +324,3 @@ fn has_jpeg_end(bytes: &[u8]) -> bool {
 fn is_marker(pair: &[u8]) -> bool {
     pair[0] == 0xff && !matches!(pair[1], 0 | 1 | 0xd0..=0xd7 | 0xff)
 }
-
-#[cfg(test)]
-mod tests {
-    use organza_core::image::to_8_bit;
-
-    /// So 8-bit colors can be copied.
-    #[test]
-    fn eight_bits_stand_for_themselves() {
-        for byte in 0..=255 {
-            assert_eq!(to_8_bit(f32::from(byte) / 255.0), byte);
-        }
-    }
-}

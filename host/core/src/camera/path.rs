@@ -164,10 +164,8 @@ impl PathState {
         let eye = DVec3::from(camera.eye());
         let axis = camera.axes()[2];
         let distance = center.map_or(0.0, |center| (center - eye).dot(axis).max(0.0));
-        let rows: [DVec3; 3] =
-            std::array::from_fn(|row| DVec3::from_slice(&camera.camera_to_world[row][..3]));
-        let rotation = DMat3::from_cols(rows[0], rows[1], rows[2]).transpose();
-        let rotation = DQuat::from_mat3(&rotation).normalize();
+        let [x, y, z] = [0, 1, 2].map(|column| camera.column(column));
+        let rotation = DQuat::from_mat3(&DMat3::from_cols(x, y, z)).normalize();
         Self {
             target: eye + rotation * (distance * FORWARD),
             distance,

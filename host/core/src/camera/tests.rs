@@ -265,10 +265,3 @@ fn pose_errors() {
         &["frame 0", "`transform_matrix` is missing"],
     );
 }
-
-#[test]
-fn rounded_poses_are_accepted() {
-    let mut value = file();
-    value["frames"][0]["transform_matrix"][0][0] = json!(0.9999);
-    parse(&value).unwrap();
-}

@@ -68,7 +68,7 @@ fn cases_load() {
     }
 }
 
-/// The expected numbers are the case's first values, as another reader of safetensors prints them.
+/// As the crate `safetensors` reads them.
 #[test]
 fn values_are_in_their_places() {
     let scene = Scene::load(case_path("basic")).unwrap();

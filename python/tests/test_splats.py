@@ -120,7 +120,7 @@ def decibels(images, truth):
 
 
 # of 16 views, those that a fit has not seen
-JUDGES = [4, 12]
+HELD_OUT = [4, 12]
 
 
 def sorted_images(vertex, cameras, background):
@@ -140,8 +140,8 @@ def test_other_programs_read_the_ply(files, renderer):
     fitted = found["fitted.ply"]
     assert fitted.gaussians == len(vertex) and fitted.psnr > fitted.first_psnr + 2
     assert fitted.first_psnr == found["first.ply"].first_psnr and fitted.scene_psnr is None
-    images = sorted_images(vertex, cameras[JUDGES], scene.config["background"])
-    close = decibels(images, renderer.render(scene, cameras[JUDGES]))
+    images = sorted_images(vertex, cameras[HELD_OUT], scene.config["background"])
+    close = decibels(images, renderer.render(scene, cameras[HELD_OUT]))
     assert abs(close - fitted.psnr) < 0.2, (close, fitted)
 
 
@@ -173,8 +173,8 @@ def test_a_file_becomes_a_scene(files, renderer):
     assert len(scene) == len(vertex) and scene.config["background"] == [1, 1, 1]
     # so few steps hardly move them
     assert np.abs(positions(scene) - columns(vertex, "x", "y", "z")).max() < 0.01
-    truth = sorted_images(vertex, cameras[JUDGES], [1, 1, 1])
-    close = decibels(renderer.render(scene, cameras[JUDGES]), truth)
+    truth = sorted_images(vertex, cameras[HELD_OUT], [1, 1, 1])
+    close = decibels(renderer.render(scene, cameras[HELD_OUT]), truth)
     assert abs(close - imported.psnr) < 0.2, (close, imported)
     viewmats = cameras[:2].viewmats
     viewmats[:, :3, 3] *= 20

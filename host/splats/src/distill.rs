@@ -75,17 +75,17 @@ pub struct Distilled {
     pub psnr: f64,
     /// The same PSNR before the first step.
     pub first_psnr: f64,
-    pub(super) judges: Judges,
+    pub(super) held_out: HeldOutViews,
 }
 
 /// Views in which Gaussians are measured.
 #[derive(Clone, Debug)]
-pub(super) struct Judges {
+pub(super) struct HeldOutViews {
     targets: Vec<Target>,
     background: [f32; 3],
 }
 
-impl Judges {
+impl HeldOutViews {
     pub fn new(
         renderer: &Renderer,
         scene: &Scene,
@@ -93,7 +93,7 @@ impl Judges {
         views: &Views,
         options: Fit,
     ) -> Result<Self> {
-        let cameras = if views.judges.is_empty() { &views.fitted } else { &views.judges };
+        let cameras = if views.held_out.is_empty() { &views.fitted } else { &views.held_out };
         let target = |camera| Target::new(renderer, uploaded, camera, options.side);
         let targets = cameras.iter().map(target).collect::<Result<Vec<_>>>()?;
         Ok(Self { targets, background: background(scene) })
@@ -112,7 +112,7 @@ impl Judges {
 impl Distilled {
     /// The PSNR of other Gaussians in the views of [`Self::psnr`], such as Gaussians that a file has rounded.
     pub fn psnr_of(&self, splats: &[Splat]) -> f64 {
-        self.judges.psnr(splats)
+        self.held_out.psnr(splats)
     }
 }
 
@@ -160,8 +160,8 @@ pub fn distill(
     }
     let background = background(scene);
     let mut splats = first(renderer, scene, uploaded, cameras, options.side)?;
-    let judges = Judges::new(renderer, scene, uploaded, views, options)?;
-    let first_psnr = judges.psnr(&splats);
+    let held_out = HeldOutViews::new(renderer, scene, uploaded, views, options)?;
+    let first_psnr = held_out.psnr(&splats);
     let steps = options.steps as usize;
     // views that no step will see need no image
     let others = between(cameras, VIEWS.min(steps).saturating_sub(cameras.len()))?;
@@ -184,8 +184,8 @@ pub fn distill(
         progress(step + 1)?;
     }
     splats.retain(|splat| sigmoid(splat.opacity) >= 1.0 / 255.0);
-    let psnr = judges.psnr(&splats);
-    Ok(Distilled { splats, psnr, first_psnr, judges })
+    let psnr = held_out.psnr(&splats);
+    Ok(Distilled { splats, psnr, first_psnr, held_out })
 }
 
 /// PSNR of the image that a viewer shows, compared with an 8-bit image, over its valid pixels. See [`metrics::psnr`].

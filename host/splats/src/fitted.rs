@@ -250,7 +250,7 @@ mod tests {
             Frame { name: String::new(), camera, image }
         };
         let views = Views::around(bounds(&splats)).unwrap();
-        (views.judges.into_iter().map(frame).collect(), placement)
+        (views.held_out.into_iter().map(frame).collect(), placement)
     }
 
     fn positions(file: SplatFile, placement: &Placement) -> Vec<[f32; 3]> {

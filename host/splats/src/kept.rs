@@ -7,7 +7,7 @@ use organza_core::scene::Scene;
 use organza_core::{Result, write_inside};
 use organza_render::{DeviceScene, Renderer};
 
-use super::distill::Judges;
+use super::distill::HeldOutViews;
 use super::{Distilled, Fit, Splat, Views};
 
 /// Most bytes of the file's first line.
@@ -41,9 +41,9 @@ impl Distilled {
         let Some((splats, first_psnr)) = read(path, key, scene.gaussians.len()) else {
             return Ok(None);
         };
-        let judges = Judges::new(renderer, scene, uploaded, views, options)?;
-        let psnr = judges.psnr(&splats);
-        Ok(Some(Self { splats, psnr, first_psnr, judges }))
+        let held_out = HeldOutViews::new(renderer, scene, uploaded, views, options)?;
+        let psnr = held_out.psnr(&splats);
+        Ok(Some(Self { splats, psnr, first_psnr, held_out }))
     }
 }
 

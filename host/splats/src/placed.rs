@@ -25,12 +25,12 @@ pub fn save_scene(
     up: [f64; 3],
     placement: &Placement,
 ) -> Result<(Vec<Splat>, Option<[f64; 3]>)> {
-    let (in_file, said) = in_file(placement);
+    let (in_file, stored) = in_file(placement);
     let mut file = splats.to_vec();
     if !in_file.is_identity() {
         turn(&mut file, in_file.rotation(), in_file.scale, |place| in_file.world(place));
     }
-    let written = save(&file, path, format, placement.world_direction(up), &said)?;
+    let written = save(&file, path, format, placement.world_direction(up), &stored)?;
     Ok((written.into_own(placement)?, left_out(placement, &in_file)))
 }
 
@@ -45,12 +45,12 @@ pub(crate) fn left_out(placement: &Placement, in_file: &Placement) -> Option<[f6
 pub(crate) fn in_file(placement: &Placement) -> (Placement, Placement) {
     let mut in_file = placement.in_meters();
     let scale = 1.0 / placement.meters.unwrap_or(1.0);
-    let mut said = Placement { scale, ..Placement::default() };
+    let mut stored = Placement { scale, ..Placement::default() };
     if DVec3::from(placement.offset).length() > FARTHEST * placement.scale {
         in_file.offset = [0.0; 3];
-        said.offset = placement.offset;
+        stored.offset = placement.offset;
     }
-    (in_file, said)
+    (in_file, stored)
 }
 
 /// Number of directions that determine how harmonics turn: a few for each of them.
@@ -108,22 +108,10 @@ fn turned_harmonics(turn: DMat3) -> [[f64; HARMONICS]; HARMONICS] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files::tests::splats;
     use crate::harmonics::color_of;
     use crate::{SplatFile, Views, bounds, load, render};
     use glam::DMat3;
-
-    /// Gaussians of many shapes and colors, whose color depends on the direction.
-    fn splats() -> Vec<Splat> {
-        let value = |i: usize, k: usize| ((i * 37 + k * 61) % 97) as f32 / 97.0 - 0.5;
-        let splat = |i: usize| Splat {
-            position: std::array::from_fn(|k| 3.0 * value(i, k)),
-            rotation: std::array::from_fn(|k| value(i, 3 + k) + 0.01),
-            log_scale: std::array::from_fn(|k| 2.0 * value(i, 7 + k) - 1.5),
-            opacity: 4.0 * value(i, 10),
-            color: std::array::from_fn(|h| std::array::from_fn(|c| value(i, 11 + 3 * h + c))),
-        };
-        (0..30).map(splat).collect()
-    }
 
     /// The same in the world.
     fn moved(placement: &Placement) -> Vec<Splat> {

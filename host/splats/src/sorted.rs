@@ -91,11 +91,8 @@ impl SortedView {
             .enumerate()
             .filter_map(|(gaussian, splat)| Placed::new(&camera, gaussian, splat))
             .collect();
-        let key = |placed: &Placed| (placed.depth, placed.gaussian);
         placed.par_sort_unstable_by(|a, b| {
-            let (a, first) = key(a);
-            let (b, second) = key(b);
-            a.total_cmp(&b).then(first.cmp(&second))
+            a.depth.total_cmp(&b.depth).then(a.gaussian.cmp(&b.gaussian))
         });
         let counts = size.map(|side| side.div_ceil(SIDE));
         let mut tiles = vec![Vec::new(); counts[0] * counts[1]];

@@ -12,7 +12,7 @@ const ELEVATIONS: [f64; 3] = [-15.0, 17.0, 45.0];
 /// Width and height of their images, in pixels.
 const SIZE: [u32; 2] = [640, 480];
 /// Without photographs, every Nth camera is only measured.
-const JUDGES: usize = 8;
+const HOLD_OUT_EVERY: usize = 8;
 
 /// The views of a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,20 +20,20 @@ pub struct Views {
     /// Views that the fit sees.
     pub fitted: Vec<Camera>,
     /// Views in which its result is only measured.
-    pub judges: Vec<Camera>,
+    pub held_out: Vec<Camera>,
 }
 
 impl Views {
     /// Every eighth camera is only measured. With fewer than eight, none is.
     pub fn from_cameras(cameras: Vec<Camera>) -> Self {
         let mut fitted = Vec::new();
-        let mut judges = Vec::new();
-        let is_enough = cameras.len() >= JUDGES;
+        let mut held_out = Vec::new();
+        let is_enough = cameras.len() >= HOLD_OUT_EVERY;
         for (index, camera) in cameras.into_iter().enumerate() {
-            let is_judge = is_enough && index % JUDGES == JUDGES / 2;
-            if is_judge { judges.push(camera) } else { fitted.push(camera) }
+            let is_held_out = is_enough && index % HOLD_OUT_EVERY == HOLD_OUT_EVERY / 2;
+            if is_held_out { held_out.push(camera) } else { fitted.push(camera) }
         }
-        Self { fitted, judges }
+        Self { fitted, held_out }
     }
 
     /// The frames of a data set. Those that training saw are fitted, and the held-out ones are only measured. If
@@ -43,9 +43,10 @@ impl Views {
             frames.map(|frame| frame.camera.clone()).collect()
         };
         let fitted = cameras(&mut data.train_frames());
-        let judges = cameras(&mut data.held_out_frames());
-        let (fitted, judges) = if fitted.is_empty() { (judges, fitted) } else { (fitted, judges) };
-        Self { fitted, judges }
+        let held_out = cameras(&mut data.held_out_frames());
+        let (fitted, held_out) =
+            if fitted.is_empty() { (held_out, fitted) } else { (fitted, held_out) };
+        Self { fitted, held_out }
     }
 
     /// Cameras on several circles that see a whole box from all sides. Every eighth is only measured.
@@ -71,7 +72,7 @@ impl SplatFile {
     /// The same errors as [`Views::around`].
     pub fn views(&self) -> Result<Views> {
         let mut views = Views::around(bounds(&self.splats))?;
-        for camera in views.fitted.iter_mut().chain(&mut views.judges) {
+        for camera in views.fitted.iter_mut().chain(&mut views.held_out) {
             *camera = self.placement.world_camera(camera);
         }
         Ok(views)

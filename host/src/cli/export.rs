@@ -105,7 +105,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let (written, offset) =
         splats::save_scene(&distilled.splats, &args.output, format, up, &placement)?;
     if let Some(left_out) = offset {
-        let said = if format.says_placement() { ", as it says itself" } else { "" };
+        let said = if format.stores_placement() { ", as it says itself" } else { "" };
         console.warn(&(relative_to(left_out) + said));
     }
     say_psnr(&views, &distilled, &written, args.steps, console);
@@ -123,7 +123,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         format_bytes(bytes)
     ));
     let is_of_cameras = offset.is_none() && placement.meters.is_none();
-    if is_of_cameras || format.says_placement() {
+    if is_of_cameras || format.stores_placement() {
         let [red, green, blue] = scene.config.background;
         let file = args.output.display();
         let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));
@@ -172,26 +172,27 @@ fn load_views(
     }
     let settings = args.data.settings(source, named, USAGE)?;
     let data = DataSet::of(source, named, settings, console)?;
-    let (judges, fitted): (Vec<_>, _) = data.cameras()?.into_iter().partition(|pose| pose.held_out);
-    let has_held_out = !judges.is_empty();
-    let (fitted, judges) = match args.data.split(Split::All) {
-        Split::All if !fitted.is_empty() => (fitted, judges),
+    let (held_out, fitted): (Vec<_>, _) =
+        data.cameras()?.into_iter().partition(|pose| pose.held_out);
+    let has_held_out = !held_out.is_empty();
+    let (fitted, held_out) = match args.data.split(Split::All) {
+        Split::All if !fitted.is_empty() => (fitted, held_out),
         Split::Train => (fitted, Vec::new()),
-        _ => (judges, Vec::new()),
+        _ => (held_out, Vec::new()),
     };
     let cameras = |poses: Vec<Pose>| poses.into_iter().map(|pose| pose.camera).collect::<Vec<_>>();
-    let [fitted, judges] = [fitted, judges].map(cameras);
+    let [fitted, held_out] = [fitted, held_out].map(cameras);
     // only the photographs that the file is compared with are needed
     let data = data.only(Split::HeldOut);
     let data = has_held_out.then(|| data.read(renderer, console)).transpose()?;
-    Ok((Views { fitted, judges }, data))
+    Ok((Views { fitted, held_out }, data))
 }
 
 /// Reports how close the file's images are to the scene's, and what rounding in the file costs.
 fn say_psnr(views: &Views, distilled: &Distilled, written: &[Splat], steps: u32, console: Console) {
-    let (views, which) = match views.judges.len() {
+    let (views, which) = match views.held_out.len() {
         0 => (views.fitted.len(), ""),
-        judges => (judges, " that the fit has not seen"),
+        held_out => (held_out, " that the fit has not seen"),
     };
     let psnr = distilled.psnr_of(written);
     let before = match steps {

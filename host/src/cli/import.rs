@@ -89,7 +89,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if let Some(psnr) = imported.psnr {
         console.note(&format!(
             "in {} that training has not seen, the scene is {psnr:.2} dB from the file's own images",
-            count(views.judges.len() as u64, "view")
+            count(views.held_out.len() as u64, "view")
         ));
     }
     console.note(&format!("wrote {}", args.output.display()));

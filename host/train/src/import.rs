@@ -63,10 +63,10 @@ pub fn import(
     options: Import,
     progress: &mut dyn FnMut(usize) -> Result<()>,
 ) -> Result<Imported> {
-    let Views { fitted: cameras, judges } = views;
+    let Views { fitted: cameras, held_out } = views;
     let path = file.path.display();
     let mut notes: Vec<_> = file.notes.iter().map(|note| format!("{path}: {note}")).collect();
-    let all: Vec<_> = cameras.iter().chain(judges).cloned().collect();
+    let all: Vec<_> = cameras.iter().chain(held_out).cloned().collect();
     let placement = Placement::of(&all, &[]);
     let own: Vec<_> = all.iter().map(|camera| placement.own_camera(camera)).collect();
     let splats = file.into_seen(&placement, &own)?;
@@ -78,7 +78,8 @@ pub fn import(
         let image = Photograph::new([camera.width, camera.height], pixels, None)?;
         Ok(Frame { name: format!("view-{index:03}"), camera, image })
     };
-    let frames = cameras.iter().chain(judges).enumerate().map(frame).collect::<Result<Vec<_>>>()?;
+    let frames =
+        cameras.iter().chain(held_out).enumerate().map(frame).collect::<Result<Vec<_>>>()?;
     let background = options.background.map(to_8_bit);
     let pixels = frames.iter().flat_map(|frame| frame.image.pixels());
     let covered = pixels.clone().filter(|&&pixel| pixel != background).count() as f64;

@@ -10,7 +10,9 @@ use muslin::math::sigmoid;
 use organza_core::memory;
 use serde_json::{Map, Value, json};
 
-use super::{PLACEMENT, Splat, SplatFile, base_color, byte, log_of, said, turned};
+use super::{
+    PLACEMENT, Splat, SplatFile, base_color, byte, ends, log_of, stored_placement, turned,
+};
 use crate::harmonics::{DEGREE, HARMONICS};
 use crate::placed::turn;
 use organza_core::error::{Result, invalid};
@@ -76,13 +78,9 @@ pub fn write(
         .enumerate()
         .map(|(index, attribute)| attribute.accessor(index, splats.len()))
         .collect();
-    let limit = |start: f32, pick: fn(f32, f32) -> f32| -> [f32; 3] {
-        std::array::from_fn(|axis| {
-            splats.iter().map(|splat| splat.position[axis]).fold(start, pick)
-        })
-    };
-    accessors[0]["min"] = json!(limit(f32::MAX, f32::min));
-    accessors[0]["max"] = json!(limit(f32::MIN, f32::max));
+    let ranges = [0, 1, 2].map(|axis| ends(splats.iter().map(|splat| splat.position[axis])));
+    accessors[0]["min"] = json!(ranges.map(|[low, _]| low));
+    accessors[0]["max"] = json!(ranges.map(|[_, high]| high));
     let named =
         attributes.iter().enumerate().map(|(at, attribute)| (attribute.name.clone(), at.into()));
     let named: Map<String, Value> = named.collect();
@@ -271,8 +269,8 @@ impl File<'_> {
         }
         seen[index] = true;
         let node = &self.json["nodes"][index];
-        let said = said(&node["extras"], self.path)?;
-        let to_world = parent * said.map_or_else(|| local(node), |said| matrix(&said));
+        let stored = stored_placement(&node["extras"], self.path)?;
+        let to_world = parent * stored.map_or_else(|| local(node), |stored| matrix(&stored));
         let mesh = node["mesh"].as_u64().map(|mesh| &self.json["meshes"][mesh as usize]);
         for primitive in mesh.and_then(|mesh| mesh["primitives"].as_array()).into_iter().flatten() {
             if primitive["extensions"].get(EXTENSION).is_none() {
@@ -286,7 +284,7 @@ impl File<'_> {
             found.positions.extend(splats.iter().map(|splat| place(splat).to_array()));
             self.turn(&mut splats, to_world)?;
             found.splats.append(&mut splats);
-            found.is_placed |= said.is_some();
+            found.is_placed |= stored.is_some();
         }
         Ok(to_world)
     }

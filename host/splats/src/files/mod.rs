@@ -68,9 +68,9 @@ impl SplatFile {
     }
 
     /// With the placement in the file, if it has one.
-    fn placed(self, said: Option<Placement>) -> Self {
-        let is_placed = said.is_some();
-        Self { placement: said.unwrap_or_default(), is_placed, ..self }
+    fn placed(self, stored: Option<Placement>) -> Self {
+        let is_placed = stored.is_some();
+        Self { placement: stored.unwrap_or_default(), is_placed, ..self }
     }
 
     /// With these positions. If an f32 is too short for them, they become relative to their middle.
@@ -138,13 +138,13 @@ impl Format {
     }
 
     /// Whether a file says where its Gaussians lie.
-    pub fn says_placement(self) -> bool {
+    pub fn stores_placement(self) -> bool {
         !matches!(self, Self::Spz2 | Self::Splat)
     }
 }
 
 /// Writes a file, atomically. `up` is the upward direction, for formats that have one, and `placement` says where the space of the
-/// Gaussians lies in the world, for formats that [can say it](Format::says_placement). Returns the Gaussians as they are in
+/// Gaussians lies in the world, for formats that [can store it](Format::stores_placement). Returns the Gaussians as they are in
 /// the file, which most formats round and reorder.
 ///
 /// # Errors
@@ -174,8 +174,8 @@ pub fn save(
         _ => read_from(&bytes, path)?,
     };
     write_atomic(path, |file| file.write_all(&bytes))?;
-    let said = read.is_placed.then_some(read.placement);
-    Ok(SplatFile { placement: said.unwrap_or(*placement), ..read })
+    let stored = read.is_placed.then_some(read.placement);
+    Ok(SplatFile { placement: stored.unwrap_or(*placement), ..read })
 }
 
 /// Largest absolute logarithm of a scale: beyond it, the scale is not an f32.
@@ -254,8 +254,8 @@ const DEGREE_4: &str = "it has harmonics of degree 4, which are left out: colors
 const PLACEMENT: &str = "organza";
 
 /// The placement in the JSON of a file, under [`PLACEMENT`].
-fn said(json: &Value, path: &Path) -> Result<Option<Placement>> {
-    json.get(PLACEMENT).map(|said| Placement::from_json(said, path)).transpose()
+fn stored_placement(json: &Value, path: &Path) -> Result<Option<Placement>> {
+    json.get(PLACEMENT).map(|stored| Placement::from_json(stored, path)).transpose()
 }
 
 /// The color without the parts that depend on the direction.
@@ -318,7 +318,7 @@ fn byte(value: f32) -> u8 {
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::super::harmonics::HARMONICS;
     use super::*;
     use muslin::math::sigmoid;

@@ -49,7 +49,7 @@ fn names() -> impl Iterator<Item = String> {
 }
 
 /// The placement in the comments of [`write`].
-fn said(file: &Ply<'_>, path: &Path) -> Result<Option<Placement>> {
+fn stored_placement(file: &Ply<'_>, path: &Path) -> Result<Option<Placement>> {
     let json =
         |comment: &String| comment.strip_prefix(PLACEMENT)?.strip_prefix(' ').map(str::to_owned);
     let json = file.comments().iter().find_map(json);
@@ -123,7 +123,7 @@ fn place(key: &str) -> Option<usize> {
 pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     let file = Ply::open(bytes, path)?;
     let rest = file.properties().filter(|name| name.starts_with("f_rest_")).count();
-    let said = said(&file, path)?;
+    let stored = stored_placement(&file, path)?;
     let mut vertices: Vec<Vertex> = file.vertices(&NEEDED)?;
     if ![0, 9, 24, 45, LARGEST_REST].contains(&rest) {
         return invalid(
@@ -164,7 +164,7 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     let splats = vertices.iter().map(splat).collect();
     let positions: Vec<_> = vertices.iter().map(|vertex| vertex.position).collect();
     let file = SplatFile { notes, ..SplatFile::new(path, "PLY", splats) };
-    Ok(file.placed(said).with_positions(&positions))
+    Ok(file.placed(stored).with_positions(&positions))
 }
 
 #[cfg(test)]

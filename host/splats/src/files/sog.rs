@@ -15,8 +15,8 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::clusters::{Clusters, along_a_curve, clusters};
 use super::{
-    PLACEMENT, Splat, SplatFile, byte, ends, level, logit_of, said, smallest_three, turned,
-    with_largest,
+    PLACEMENT, Splat, SplatFile, byte, ends, level, logit_of, smallest_three, stored_placement,
+    turned, with_largest,
 };
 use crate::harmonics::{DEGREE, HARMONICS};
 use organza_core::error::{Result, invalid};
@@ -313,8 +313,8 @@ impl File<'_> {
         if self.meta.get("shN").is_some_and(|rest| !rest.is_null()) {
             self.add_harmonics(&mut splats)?;
         }
-        let said = said(&self.meta["asset"], self.path)?;
-        Ok(SplatFile::new(self.path, "SOG 2", splats).placed(said))
+        let stored = stored_placement(&self.meta["asset"], self.path)?;
+        Ok(SplatFile::new(self.path, "SOG 2", splats).placed(stored))
     }
 
     /// Positions: 16 bits in two images over the range of `sign(x) ln(1 + abs(x))`.

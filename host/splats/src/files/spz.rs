@@ -67,12 +67,12 @@ pub fn write(
     let arrays = arrays(splats, fraction, 4);
     let streams = arrays.iter().map(|array| zstd::bulk::compress(array, LEVEL));
     let streams = streams.collect::<io::Result<Vec<_>>>()?;
-    let mut said = serde_json::to_vec(placement)?;
-    said.resize(said.len().next_multiple_of(4), b' ');
+    let mut stored = serde_json::to_vec(placement)?;
+    stored.resize(stored.len().next_multiple_of(4), b' ');
     let axes = axes_of(up).map_or(Vec::new(), |axes| vec![AXES, 4, axes]);
-    let said_words = said.as_chunks().0.iter().map(|word| u32::from_le_bytes(*word));
+    let stored_words = stored.as_chunks().0.iter().map(|word| u32::from_le_bytes(*word));
     let extensions: Vec<u32> =
-        axes.into_iter().chain([PLACED, said.len() as u32]).chain(said_words).collect();
+        axes.into_iter().chain([PLACED, stored.len() as u32]).chain(stored_words).collect();
     let mut words =
         |words: &[u32]| words.iter().try_for_each(|word| file.write_all(&word.to_le_bytes()));
     words(&[MAGIC, 4, splats.len() as u32])?;
@@ -123,8 +123,8 @@ fn extended(mut records: &[u8], path: &Path) -> Result<(DMat3, Option<Placement>
             // the first files of organza had only this mark
             (PLACED, None) => return Ok((DMat3::IDENTITY, Some(Placement::default()))),
             (PLACED, Some(_)) => {
-                let said = Placement::from_json(&parse_json(content, path)?, path)?;
-                return Ok((DMat3::IDENTITY, Some(said)));
+                let stored = Placement::from_json(&parse_json(content, path)?, path)?;
+                return Ok((DMat3::IDENTITY, Some(stored)));
             }
             (AXES, Some(number)) => match u32::from_le_bytes(*number) {
                 0 => {}
@@ -259,12 +259,12 @@ impl Header {
     /// The Gaussians of the arrays, in axes to the right, up and back.
     fn placed(&self, arrays: &[Vec<u8>; 6], extensions: &[u8], path: &Path) -> Result<SplatFile> {
         let mut splats = self.splats(arrays)?;
-        let (axes, said) = extended(extensions, path)?;
+        let (axes, stored) = extended(extensions, path)?;
         if axes != DMat3::IDENTITY {
             turn(&mut splats, axes, 1.0, |place| (axes * DVec3::from(place)).to_array());
         }
         let format = ["SPZ 1", "SPZ 2", "SPZ 3", "SPZ 4"][self.version as usize - 1];
-        let mut file = SplatFile::new(path, format, splats).placed(said);
+        let mut file = SplatFile::new(path, format, splats).placed(stored);
         if u32::from(self.degree) > DEGREE {
             file.notes.push(DEGREE_4.to_owned());
         }
@@ -478,8 +478,8 @@ mod tests {
         let bytes = packed(write);
         let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|byte| bytes[at + byte]));
         assert_eq!(&bytes[..4], b"NGSP");
-        let said = word(48) as usize;
-        let table = 52 + said;
+        let stored = word(48) as usize;
+        let table = 52 + stored;
         assert_eq!([word(4), word(8), word(16)], [4, 9, table as u32]);
         assert_eq!([bytes[12], bytes[14], bytes[15]], [3, 2, 6]);
         assert_eq!(bytes[20..32], [0; 12]);

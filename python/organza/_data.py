@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
 
 import numpy as np
@@ -87,10 +88,13 @@ def load_dataset(
     none out. `background` is red, green and blue, 0 to 1: what photographs with an alpha channel are put in front of. The data set
     may name files outside its own folder only with `allow_outside`.
 
-    Raises `FileNotFoundError`, and `ValueError` for what is damaged or not supported.
+    Raises `FileNotFoundError`, and `ValueError` for what is damaged or not supported. What may be wrong with the data set is a
+    warning.
     """
     color = None if background is None else [float(value) for value in background]
     if color is not None and len(color) != 3:
         raise ValueError(f"`background` has {len(color)} values, expected red, green and blue")
     core = _organza.Dataset.load(path, downscale, hold_out_every, color, allow_outside)
+    for note in core.notes:
+        warnings.warn(note, stacklevel=2)
     return Dataset(core)

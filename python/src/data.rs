@@ -109,6 +109,12 @@ impl Dataset {
         self.dataset.missing.clone()
     }
 
+    /// Warnings about the data set.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.dataset.notes.clone()
+    }
+
     fn __len__(&self) -> usize {
         self.dataset.frames.len()
     }

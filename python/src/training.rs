@@ -110,14 +110,20 @@ impl Training {
             true => Some(organza::Scene::load_config(checkpoint).map_err(raise)?.placement),
             false => None,
         };
+        let (messages, receiver) = channel();
         let dataset = match dataset {
+            // its warnings are known
             Some(dataset) => Arc::clone(&dataset.dataset),
-            None => Dataset::open(py, config.data.clone(), placement, Some(&renderer.0))?.dataset,
+            None => {
+                let read = Dataset::open(py, config.data.clone(), placement, Some(&renderer.0))?;
+                let warnings = read.dataset.notes.iter().cloned().map(Message::Warning);
+                warnings.for_each(|warning| drop(messages.send(warning)));
+                read.dataset
+            }
         };
         config.resolve(&dataset, renderer.0.device());
         let folder = open_folder(&output, resume)?;
         let stop = Arc::new(AtomicBool::new(false));
-        let (messages, receiver) = channel();
         let (sender, answers) = channel();
         let run = Run {
             device: renderer.0.clone(),

@@ -105,6 +105,22 @@ def test_a_data_set_is_shared_by_runs_in_temporary_folders(renderer, dataset):
     assert_same(*finals)
 
 
+def test_a_data_set_is_read_with_its_warnings(renderer, dataset, tmp_path):
+    for name, index in [("0.png", 0), ("1.png", 1), ("2.png", 1)]:
+        dataset.image(index).save(tmp_path / name)
+    dataset.cameras[[0, 1, 2]].save(tmp_path / "transforms.json")
+    file = json.loads((tmp_path / "transforms.json").read_text())
+    for index, frame in enumerate(file["frames"]):
+        frame["file_path"] = f"{index}.png"
+    (tmp_path / "transforms.json").write_text(json.dumps(file))
+    with pytest.warns(UserWarning, match="the same photograph is there twice"):
+        found = organza.load_dataset(tmp_path)
+    assert found.names == ["0.png", "1.png", "2.png"] and (found.train, found.held_out) == ([1, 2], [0])
+    assert np.array_equal(found.image(2), dataset.image(1))
+    with pytest.warns(UserWarning, match="the same photograph is there twice"):
+        organza.train(tmp_path, small(), renderer=renderer).run()
+
+
 def test_a_loss_of_torch_trains(renderer, dataset, tmp_path):
     torch = pytest.importorskip("torch", reason="torch is not installed: pip install torch")
 

@@ -11,6 +11,6 @@ for (( round = 0; round < ${ROUNDS:-4}; round++ )); do
   seed=$RANDOM
   echo "mutations, seed $seed"
   ORGANZA_MUTATIONS=${INPUTS:-2000} ORGANZA_MUTATION_SEED=$seed \
-    cargo test --package organza-tests --test program corpus -- --nocapture
+    cargo test --workspace --test program -- corpus --nocapture
 done
-ORGANZA_ALL_FAULTS=1 cargo test --package organza-tests --test program faults -- --nocapture
+ORGANZA_ALL_FAULTS=1 cargo test --workspace --test program -- faults --nocapture

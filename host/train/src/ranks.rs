@@ -6,11 +6,11 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::held_out;
-use crate::evaluate::{Evaluation, Score, ViewScore, evaluate_view};
+use crate::evaluate::{Evaluation, Score, ViewScore};
 use crate::{Checkpoint, TrainConfig, Trainer};
+use organza_core::Image;
 use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::ranks::{self, Ranks};
-use organza_core::{Camera, Image};
 use organza_data::{Dataset, Frame};
 use organza_render::{OwnLoss, Renderer};
 
@@ -121,18 +121,7 @@ pub fn follow(
     }
 }
 
-/// The work of a trainer together with other ranks.
 impl Trainer {
-    /// The cameras of the frames to train on, if their poses are refined.
-    pub(super) fn refined_cameras(&self) -> Option<&[Camera]> {
-        self.config.poses.refine.then(|| self.cameras())
-    }
-
-    /// Whether evaluations also fit colors: if exposures are learned, held-out photographs have no learned exposure.
-    pub(super) fn fits_colors(&self) -> bool {
-        self.exposures.is_some()
-    }
-
     /// How many views are measured at once: one by each rank.
     pub(super) fn views_at_once(&self) -> usize {
         self.ranks.as_ref().map_or(1, |ranks| ranks.size())
@@ -149,16 +138,10 @@ impl Trainer {
         let mine = mine.map(|frame| self.measure_one(frame)).transpose()?;
         gather_views(&**ranks, mine, &frames[first..])
     }
-
-    pub(super) fn measure_one(&self, frame: &Frame) -> Result<(Evaluation, Image)> {
-        evaluate_view(frame, self.fits_colors(), &mut |cameras, batch| {
-            self.renderer.render(&self.state.scene, cameras, batch)
-        })
-    }
 }
 
 /// Gathers the measurements of all ranks on rank 0. Rank i may have measured frame i.
-pub(super) fn gather_views(
+fn gather_views(
     ranks: &dyn Ranks,
     mine: Option<(Evaluation, Image)>,
     frames: &[&Frame],

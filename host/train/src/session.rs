@@ -1,6 +1,7 @@
 //! A run from its first step, or from a checkpoint, to its end: its settings, log, checkpoints and scores in its folder.
 
 mod first_steps;
+mod open;
 mod run;
 mod state;
 
@@ -8,6 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::metrics::Record;
+use super::start::StartNote;
 use crate::{Change, Evaluation, RunFolder, StepReport, TrainConfig};
 use organza_core::ranks::Ranks;
 use organza_core::{Image, Result};
@@ -131,6 +133,17 @@ pub enum Event<'a> {
     Evaluated(&'a Evaluation),
     /// The log is complete up to here: after an evaluation, and at the end.
     Complete,
+}
+
+impl<'a> From<&'a StartNote> for Event<'a> {
+    fn from(note: &'a StartNote) -> Self {
+        match note {
+            StartNote::Warning(text) => Self::Warning(text),
+            StartNote::Suggested { places, random } => {
+                Self::Suggested { places: *places, random: *random }
+            }
+        }
+    }
 }
 
 /// Why a run ended.

@@ -14,7 +14,6 @@ use super::config::TrainConfig;
 use super::points::{distinct, objection, resolution};
 use super::requirements;
 use super::space::scene_box;
-use super::{Event, Watch};
 use organza_core::camera::{Camera, Target};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{Network, Scene, logit};
@@ -33,54 +32,70 @@ const FILLING: f32 = 0.5;
 /// Last bias of the transmittance network: a large logit, because space is empty at first.
 const TRANSMITTANCE_BIAS: f32 = 5.0;
 
-/// The scene before the first step of a run. Tells `watch` if training does not start from the data set's points, or if Gaussians
-/// to start from do not fit.
+/// What a run says about its first scene.
+#[derive(Debug)]
+pub(super) enum StartNote {
+    /// A warning for the user.
+    Warning(String),
+    /// There are no points to start from: training starts from `places` that the photographs suggest, and from so many
+    /// `random` ones.
+    Suggested { places: usize, random: usize },
+}
+
+/// The scene before the first step of a run, and what there is to say about it: if training does not start from the data
+/// set's points, or if Gaussians to start from do not fit.
 ///
 /// # Errors
 /// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; the same errors as [`start`] and [`start_from`].
 pub(super) fn first_scene(
     config: &TrainConfig,
     dataset: &Dataset,
-    watch: &mut Watch<'_>,
-) -> Result<Scene> {
+) -> Result<(Scene, Vec<StartNote>)> {
     requirements::check(config, dataset)?;
-    let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-    let background = dataset.background;
-    let mut scene = match &config.start.path {
-        Some(path) => start_from(path, config, dataset, &cameras, watch)?,
-        None => {
-            let frames: Vec<_> = dataset.train_frames().collect();
-            let target = Target::from_cameras(&cameras);
-            let resolution = resolution(&target, dataset.points.len());
-            let mut known = distinct(&dataset.points, |point| point.position, resolution);
-            if !known.is_empty()
-                && let Some(reason) = objection(&dataset.points, known.len(), &frames)
-            {
-                let file = dataset.points_file.as_deref().unwrap_or(&dataset.path).display();
-                watch(Event::Warning(&format!("{file}: {reason}; so its points are not used")))?;
-                known.clear();
-            }
-            if known.is_empty() {
-                let [found, random] = suggested(config, &frames)?;
-                watch(Event::Suggested { places: found.len(), random: random.len() })?;
-                let mut scene = start(config, background, &cameras, &[found, random].concat())?;
-                let scales = scene.gaussians.log_scale.as_flattened_mut();
-                scales.iter_mut().for_each(|scale| *scale += FILLING.ln());
-                scene
-            } else {
-                start(config, background, &cameras, &known)?
-            }
-        }
+    let frames: Vec<_> = dataset.train_frames().collect();
+    let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
+    let (mut scene, notes) = match &config.start.path {
+        Some(path) => start_from(path, config, dataset, &frames, &cameras)?,
+        None => start_at_points(config, dataset, &frames, &cameras)?,
     };
     scene.config.placement = dataset.placement;
-    Ok(scene)
+    Ok((scene, notes))
+}
+
+/// A first scene with Gaussians at the data set's points. Where it has none that fit, photographs suggest places.
+fn start_at_points(
+    config: &TrainConfig,
+    dataset: &Dataset,
+    frames: &[&Frame],
+    cameras: &[Camera],
+) -> Result<(Scene, Vec<StartNote>)> {
+    let mut notes = Vec::new();
+    let target = Target::from_cameras(cameras);
+    let resolution = resolution(&target, dataset.points.len());
+    let mut known = distinct(&dataset.points, |point| point.position, resolution);
+    if !known.is_empty()
+        && let Some(reason) = objection(&dataset.points, known.len(), frames)
+    {
+        let file = dataset.points_file.as_deref().unwrap_or(&dataset.path).display();
+        notes.push(StartNote::Warning(format!("{file}: {reason}; so its points are not used")));
+        known.clear();
+    }
+    if !known.is_empty() {
+        return Ok((start(config, dataset.background, cameras, &known)?, notes));
+    }
+    let [found, random] = suggested(config, frames, cameras)?;
+    notes.push(StartNote::Suggested { places: found.len(), random: random.len() });
+    let mut scene = start(config, dataset.background, cameras, &[found, random].concat())?;
+    let scales = scene.gaussians.log_scale.as_flattened_mut();
+    scales.iter_mut().for_each(|scale| *scale += FILLING.ln());
+    Ok((scene, notes))
 }
 
 /// The scene before the first step.
 ///
 /// Gaussians lie at `points`. Their scale is the distance to their neighbors. With the transmittance network's last bias, T starts
 /// near 1. Otherwise everything would be dark.
-pub fn start(
+pub(super) fn start(
     config: &TrainConfig,
     background: [f64; 3],
     cameras: &[Camera],
@@ -105,13 +120,13 @@ pub fn start(
 /// # Errors
 /// The same errors as [`splats::load`] and [`Scene::zeros`]; [`Error::Invalid`] if there are more Gaussians than a run may have,
 /// or if no camera sees them.
-pub fn start_from(
+fn start_from(
     path: &Path,
     config: &TrainConfig,
     dataset: &Dataset,
+    frames: &[&Frame],
     cameras: &[Camera],
-    watch: &mut Watch<'_>,
-) -> Result<Scene> {
+) -> Result<(Scene, Vec<StartNote>)> {
     let file = splats::load(path)?;
     let count = file.splats.len();
     let max = config.densification.max_gaussians;
@@ -121,17 +136,16 @@ pub fn start_from(
         );
         return Err(Error::Invalid { origin: path.to_owned(), reason });
     }
-    let frames: Vec<_> = dataset.train_frames().collect();
-    let mut file = file.fitted(&frames, &dataset.placement);
-    let notes = std::mem::take(&mut file.notes);
-    let splats = file.into_seen(&dataset.placement, cameras)?;
+    let mut file = file.fitted(frames, &dataset.placement);
     let path = path.display();
-    notes.iter().try_for_each(|note| watch(Event::Warning(&format!("{path}: {note}"))))?;
-    from_splats(&splats, config, dataset.background, cameras)
+    let warning = |note| StartNote::Warning(format!("{path}: {note}"));
+    let notes = std::mem::take(&mut file.notes).into_iter().map(warning).collect();
+    let splats = file.into_seen(&dataset.placement, cameras)?;
+    Ok((from_splats(&splats, config, dataset.background, cameras)?, notes))
 }
 
 /// [`start_from`], with Gaussians already read from a file.
-pub fn from_splats(
+pub(super) fn from_splats(
     splats: &[Splat],
     config: &TrainConfig,
     background: [f64; 3],
@@ -165,14 +179,17 @@ pub fn from_splats(
 ///
 /// # Errors
 /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-fn suggested(config: &TrainConfig, frames: &[&Frame]) -> Result<[Vec<Point>; 2]> {
+fn suggested(
+    config: &TrainConfig,
+    frames: &[&Frame],
+    cameras: &[Camera],
+) -> Result<[Vec<Point>; 2]> {
     requirements::check_scene(config, config.first_gaussians().into())?;
-    let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
-    let target = Target::from_cameras(&cameras);
+    let target = Target::from_cameras(cameras);
     let count = config.first_gaussians() as usize;
     let seed = config.run.seed;
     let found = sweep::points(frames, target.distance, count, seed);
-    let rest = scatter(&target, &cameras, count - found.len(), &mut random(seed, PLACES, 1));
+    let rest = scatter(&target, cameras, count - found.len(), &mut random(seed, PLACES, 1));
     Ok([found, rest])
 }
 

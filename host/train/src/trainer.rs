@@ -1,30 +1,30 @@
 //! One step after the other: draw tiles, render, compare, run the backward pass, update, densify.
-//! The state that a step changes, and the measurements of a step.
+
+mod state;
 
 use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::coarse::{Batches, Drawn};
-use super::densification::{DensificationStats, Population, densify};
-use super::optimizer::{Optimizer, Update};
+use super::densification::{DensificationStats, densify};
+use super::optimizer::Update;
 use super::per_photograph::Exposures;
 use super::photographs::{ResidentPhotographs, StepPhotographs};
 use super::pose::PoseSet;
 use super::requirements::check;
 use super::sampler::valid_pixels;
-use super::start;
-use crate::evaluate::{Evaluation, evaluate_with};
+use super::start::first_scene;
+use crate::evaluate::{Evaluation, evaluate_view, evaluate_with};
 use crate::{Checkpoint, Progress, TrainConfig};
-use glam::Vec4;
-use muslin_device::{Buffer, Device, Pending};
+use muslin_device::Pending;
 use organza_core::ranks::Ranks;
-use organza_core::scene::Gaussians;
-use organza_core::{Camera, Error, Result, metrics};
-use organza_data::Dataset;
+use organza_core::{Camera, Error, Image, Result, metrics};
+use organza_data::{Dataset, Frame};
 use organza_render::{
     BatchLoss, DeviceScene, LossBatch, LossGradient, LossTarget, OwnLoss, QueuedLoss, Renderer,
-    SceneGradient, TileLoss,
+    TileLoss,
 };
+use state::TrainerState;
 
 /// Trains a scene, step by step. Everything that a step changes stays on the device.
 ///
@@ -62,7 +62,7 @@ use organza_render::{
 #[derive(Debug)]
 pub struct Trainer {
     pub(super) renderer: Renderer,
-    pub(super) config: TrainConfig,
+    config: TrainConfig,
     dataset: Arc<Dataset>,
     /// The cameras of the frames to train on, with their refined poses.
     cameras: Vec<Camera>,
@@ -70,11 +70,11 @@ pub struct Trainer {
     photographs: Option<ResidentPhotographs>,
     batches: Batches,
     /// The exposures of the photographs to train on, if they are learned.
-    pub(super) exposures: Option<Exposures>,
+    exposures: Option<Exposures>,
     /// The poses of the photographs to train on, if they are refined.
     poses: Option<PoseSet>,
-    pub(super) state: TrainerState,
-    pub(super) step: u32,
+    state: TrainerState,
+    step: u32,
     /// Steps whose losses the host has not read: see [`Trainer::advance`].
     queued: VecDeque<QueuedStep>,
     /// See [`Trainer::with_ranks`].
@@ -94,7 +94,7 @@ impl Trainer {
     ) -> Result<Self> {
         let dataset = dataset.into();
         config.choose(&dataset, renderer.device());
-        let scene = start::first_scene(&config, &dataset, &mut |_| Ok(()))?;
+        let (scene, _) = first_scene(&config, &dataset)?;
         let checkpoint = Checkpoint::begin(scene, &config)?;
         Self::resume(renderer, config, dataset, &checkpoint)
     }
@@ -210,6 +210,16 @@ impl Trainer {
         &self.cameras
     }
 
+    /// The cameras of the frames to train on, if their poses are refined.
+    pub(super) fn refined_cameras(&self) -> Option<&[Camera]> {
+        self.config.poses.refine.then(|| self.cameras())
+    }
+
+    /// Whether evaluations also fit colors: if exposures are learned, held-out photographs have no learned exposure.
+    pub(super) fn fits_colors(&self) -> bool {
+        self.exposures.is_some()
+    }
+
     /// The scene as it is now.
     #[must_use]
     pub fn scene(&self) -> &DeviceScene {
@@ -229,6 +239,13 @@ impl Trainer {
     pub fn evaluate(&self) -> Result<Evaluation> {
         let frames: Vec<_> = self.dataset.held_out_frames().collect();
         evaluate_with(&self.renderer, self.scene(), &frames, self.fits_colors(), &mut |_| {})
+    }
+
+    /// Renders a frame, and compares it with its photograph.
+    pub(super) fn measure_one(&self, frame: &Frame) -> Result<(Evaluation, Image)> {
+        evaluate_view(frame, self.fits_colors(), &mut |cameras, batch| {
+            self.renderer.render(self.scene(), cameras, batch)
+        })
     }
 
     /// Everything that training needs to go on. `seconds` is the time of training to write down.
@@ -497,8 +514,12 @@ impl Trainer {
         Ok(StepReport { densified, gaussians: self.scene().len(), ..report })
     }
 
+    /// Whether the number of Gaussians changes after this step.
     fn is_time_to_densify(&self) -> bool {
-        is_time_to_densify(&self.config, self.step)
+        let densification = &self.config.densification;
+        let done = self.config.run.fraction(self.step);
+        let is_in_time = (densification.begin..=densification.end).contains(&done);
+        self.step.is_multiple_of(densification.every) && is_in_time
     }
 
     /// Densifies on the host, which happens once in many steps.
@@ -509,13 +530,6 @@ impl Trainer {
         self.state.replace_gaussians(device, &population)?;
         Ok(densified)
     }
-}
-
-/// Whether the number of Gaussians changes after a step.
-pub(super) fn is_time_to_densify(config: &TrainConfig, step: u32) -> bool {
-    let densification = &config.densification;
-    let is_in_time = (densification.begin..=densification.end).contains(&config.run.fraction(step));
-    step.is_multiple_of(densification.every) && is_in_time
 }
 
 /// Measurements of a step, from before it changed anything.
@@ -559,7 +573,7 @@ impl StepReport {
     }
 
     /// Fails if the loss of the step is not finite.
-    pub(super) fn check(&self, step: u32) -> Result<()> {
+    fn check(&self, step: u32) -> Result<()> {
         if self.loss.is_finite() {
             return Ok(());
         }
@@ -577,75 +591,4 @@ struct QueuedStep {
     drawn: Drawn,
     loss: QueuedLoss,
     values: Pending,
-}
-
-/// The state that a step changes.
-#[derive(Debug)]
-pub(super) struct TrainerState {
-    pub scene: DeviceScene,
-    pub optimizer: Optimizer,
-    pub gradient: SceneGradient,
-}
-
-impl TrainerState {
-    /// The state of a checkpoint, without what is learned of each photograph.
-    pub fn new(renderer: &Renderer, config: &TrainConfig, checkpoint: &Checkpoint) -> Result<Self> {
-        let device = renderer.device();
-        let mut scene = renderer.upload(&checkpoint.scene)?;
-        if !config.ablation.divide {
-            scene.never_divide();
-        }
-        let optimizer = Optimizer::new(device, &checkpoint.moments)?;
-        let gradient = SceneGradient::new(device, &scene)?;
-        let state = Self { scene, optimizer, gradient };
-        state.write_statistics(device, &checkpoint.statistics)?;
-        Ok(state)
-    }
-
-    /// Whether the next gradient includes T's.
-    pub fn set_transmittance(&mut self, is_learned: bool) {
-        self.gradient.has_transmittance = is_learned;
-    }
-
-    /// All Gaussians. Waits once.
-    pub fn population(&self, device: &Device) -> Result<Population> {
-        let of_moments = self.optimizer.of_gaussians();
-        let tensors = [&self.scene.tensors().gaussians, of_moments[0], of_moments[1]];
-        let tensors = tensors.into_iter().flat_map(|tensors| tensors.as_ref().into_vec());
-        let mut buffers: Vec<_> = tensors.map(Buffer::view).collect();
-        buffers.push(self.gradient.statistics.view());
-        let words = device.read_all(&buffers)?;
-        let mut values = words.iter().map(|words| bytemuck::cast_slice::<u32, f32>(words));
-        let mut next = || values.next().expect("as many as buffers");
-        let mut gaussians = || {
-            let mut gaussians = Gaussians::zeros(self.scene.config(), self.scene.len())?;
-            let targets = gaussians.tensors_mut().into_vec();
-            targets.into_iter().for_each(|target| target.copy_from_slice(next()));
-            Ok::<_, Error>(gaussians)
-        };
-        Ok(Population {
-            gaussians: gaussians()?,
-            moments: [gaussians()?, gaussians()?],
-            statistics: next().as_chunks().0.to_vec(),
-        })
-    }
-
-    /// Replaces all Gaussians. The fields stay.
-    pub fn replace_gaussians(&mut self, device: &Device, population: &Population) -> Result<()> {
-        self.scene.replace_gaussians(device, &population.gaussians)?;
-        self.optimizer.replace_gaussians(device, &population.moments)?;
-        self.gradient.replace_gaussians(device, &self.scene)?;
-        self.write_statistics(device, &population.statistics)
-    }
-
-    /// `[N]`: see [`SceneGradient::statistics`].
-    pub fn statistics(&self, device: &Device) -> Result<Vec<[f32; 4]>> {
-        let statistics = device.read(&self.gradient.statistics)?;
-        Ok(statistics.iter().map(|v| v.to_array()).collect())
-    }
-
-    fn write_statistics(&self, device: &Device, statistics: &[[f32; 4]]) -> Result<()> {
-        let statistics: Vec<_> = statistics.iter().map(|&v| Vec4::from_array(v)).collect();
-        Ok(device.write(&self.gradient.statistics, 0, &statistics)?)
-    }
 }

@@ -1,18 +1,16 @@
-//! How a run begins, and the table of scores that it leaves beside its checkpoints.
+//! A run: it begins, takes its steps, and tells other ranks if it fails.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
 
 use super::first_steps::FirstSteps;
+use super::open::OpenLog;
 use super::state::SessionState;
-use crate::evaluate::save_csv;
-use crate::folder::{CHECKPOINT, EVALUATIONS, OpenLog};
-use crate::metrics::Record;
 use crate::ranks;
 use crate::schedule::Scheduler;
 use crate::start::first_scene;
-use crate::{Change, Checkpoint, Event, Outcome, Progress, Session, Trainer, Watch};
+use crate::{CHECKPOINT, Change, Checkpoint, Event, Outcome, Progress, Session, Trainer, Watch};
 use organza_core::error::{self, Result};
 use organza_render::OwnLoss;
 
@@ -96,7 +94,8 @@ impl Session<'_> {
         let checkpoint = if resumes {
             Checkpoint::load(&path)?
         } else {
-            let scene = first_scene(self.config, self.dataset, watch)?;
+            let (scene, notes) = first_scene(self.config, self.dataset)?;
+            notes.iter().try_for_each(|note| watch(note.into()))?;
             Checkpoint::begin(scene, self.config)?
         };
         let progress = checkpoint.progress;
@@ -116,18 +115,5 @@ impl Session<'_> {
             trainer = trainer.with_ranks(ranks.clone());
         }
         Ok((trainer, progress, changes))
-    }
-
-    /// Writes the scores of all evaluations as a table. Without evaluations, it only overwrites an existing table.
-    pub(crate) fn save_scores(&self, records: &[Record]) -> Result<()> {
-        let path = self.folder.path().join(EVALUATIONS);
-        let rows = records.iter().flat_map(|record| match record {
-            Record::Evaluation { step, views, .. } => {
-                views.iter().map(|view| (*step, view)).collect()
-            }
-            _ => Vec::new(),
-        });
-        let rows: Vec<_> = rows.collect();
-        if rows.is_empty() && !path.exists() { Ok(()) } else { save_csv(path, &rows) }
     }
 }

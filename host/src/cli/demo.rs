@@ -1,7 +1,7 @@
 //! `organza demo`: the built-in scene, as something to look at and to try.
 
 use std::fs;
-use std::path::{MAIN_SEPARATOR, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use organza::data::encode_jpeg;
 use organza::image::TILE_SIDE;
@@ -16,7 +16,7 @@ use super::output::Folder;
 use super::picture::{Picture, Pictures, warn_not_finite};
 use super::summary::{Cost, Summary, count};
 use super::views::names;
-use super::{refuse, text_of};
+use super::{quoted, refuse, text_of};
 
 /// Default number of views, and of pixels of their sides.
 const VIEWS: u16 = 24;
@@ -177,16 +177,6 @@ fn next_steps(path: &Path, cameras: &[Camera]) -> String {
         count(cameras.len() as u64, "view"),
         path.display(),
     )
-}
-
-/// A path, quoted for a shell.
-pub fn quoted(path: &Path) -> String {
-    let text = path.display().to_string();
-    let is_plain = |c: char| c.is_alphanumeric() || c == MAIN_SEPARATOR || "/:._-+".contains(c);
-    if text.chars().all(is_plain) {
-        return text;
-    }
-    shlex::try_quote(&text).expect("a path has no NUL").into_owned()
 }
 
 /// Default number of photographs, and of pixels of their width.

@@ -33,7 +33,7 @@ mod views;
 
 use std::ops::{RangeBounds, RangeInclusive};
 use std::panic;
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
@@ -223,6 +223,16 @@ fn number_in(
 /// A path in JSON, as messages show it: text holds no other bytes than UTF-8.
 fn text_of(path: &Path) -> String {
     path.display().to_string()
+}
+
+/// A path as a word of a shell's command.
+fn quoted(path: &Path) -> String {
+    let text = text_of(path);
+    let is_plain = |c: char| c.is_alphanumeric() || c == MAIN_SEPARATOR || "/:._-+".contains(c);
+    match shlex::try_quote(&text) {
+        Ok(quoted) if !text.chars().all(is_plain) => quoted.into_owned(),
+        _ => text,
+    }
 }
 
 /// The path from the root of the file system.

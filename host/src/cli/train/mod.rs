@@ -1,0 +1,248 @@
+//! `organza train`: trains a scene on photographs.
+
+mod job;
+mod settings;
+
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+use organza::error;
+use organza::train::{CHECKPOINT, CONFIG, Event, Outcome, REPORT, TrainConfig};
+use organza::{Error, Result};
+use serde::Serialize;
+
+use super::console::{Console, print, print_json};
+use super::device::DeviceArgs;
+use super::inputs::check_place;
+use super::ranks::{RankGroup, RanksArgs};
+use super::signals::Signals;
+use super::view::ServerArgs;
+use super::{absolute, capture, quoted, refuse, text_of};
+use job::TrainJob;
+use settings::{SettingsArgs, long_help};
+
+const EXAMPLES: &str = "\
+Examples:
+  organza train -o run                                 the built-in scene, no files needed
+  organza train data/fox -o run --minutes 10
+  organza train garden.mp4 -o run                      finds the poses first, as `capture` does
+  organza train --resume run                           continues after Ctrl-C, to the same bits
+  organza train --resume run --steps 5000              extends a run, also one that is finished
+  organza train data/fox -o quick --preset fast
+  organza train data/fox -o other --config run/config.toml --seed 1
+  organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set densification.end=0
+  organza train data/fox -o run --refine-poses         poses of a phone, off by some pixels
+  organza train data/fox -o run --view                 look at it while it trains
+  organza train data/fox -o run --start scene.ply      from Gaussians that another program has made
+  organza train data/fox -o run --ranks 2              on two GPUs
+  mpirun -n 8 organza train data/fox -o run --ranks mpi
+  organza train --preset best --print-config > mine.toml
+  organza eval run
+
+RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
+checkpoint.safetensors (a scene that every other command accepts), checkpoint.best.safetensors (the one with the best \
+held-out views), evaluations.csv (the scores of each held-out view), report.html and pictures/ (its images).";
+
+/// The folder in a run for a data set that is made first.
+const CAPTURED: &str = "data";
+
+/// Train a scene on photographs or a video, or on the built-in scene
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES, after_long_help = long_help(EXAMPLES))]
+pub struct Args {
+    /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json. Of a video or a folder of photographs,
+    /// RUN/data becomes the data set first, as by `organza capture`
+    /// [default: the built-in scene, with --preset built-in unless --config is given]
+    data: Option<PathBuf>,
+    /// The folder for the run; created if it does not exist
+    #[arg(short, long, value_name = "RUN", required_unless_present_any = ["resume", "print_config"])]
+    output: Option<PathBuf>,
+    /// Continue a run that was stopped, with its own settings. Only these options may change them: --steps and
+    /// --max-gaussians; --minutes, which trains for that many more minutes; --evaluate-every, --checkpoint-every and --set
+    /// run.log_every
+    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config"])]
+    resume: Option<PathBuf>,
+    #[command(flatten)]
+    settings: SettingsArgs,
+    /// Print all settings as TOML, and do nothing else
+    #[arg(long)]
+    print_config: bool,
+    /// Finish after this many seconds of training, at any step of the run. Unlike with --minutes, learning
+    /// rates and densification do not depend on this time
+    #[arg(long, value_name = "SECONDS", conflicts_with = "minutes")]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    time_limit: Option<u32>,
+    /// Print JSON when the run ends: the reason for its end, and the results (docs/json.md)
+    #[arg(long)]
+    json: bool,
+    /// While training, show a page with the scene, the curves, and buttons to pause and stop
+    #[arg(long, help_heading = "Page")]
+    view: bool,
+    /// The part of the time that the page's images may take, in percent
+    #[arg(long, value_name = "PERCENT", help_heading = "Page", default_value_t = 10)]
+    #[arg(value_parser = clap::value_parser!(u8).range(1..=90))]
+    view_share: u8,
+    #[command(flatten)]
+    server: ServerArgs,
+    #[command(flatten)]
+    ranks: RanksArgs,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    if args.print_config {
+        let config = match &args.resume {
+            Some(folder) => args.settings.resumed(folder)?,
+            None => args.settings.settings(args.data.as_deref())?.0,
+        };
+        return if args.json { print_json(&config) } else { print(&config.to_toml()) };
+    }
+    if !args.view && args.server.is_given() {
+        return refuse("`--port`, `--bind` and `--open` are for the page of `--view`");
+    }
+    let Some(group) = args.ranks.start()? else { return lead(args, None, console) };
+    if group.mine.rank() > 0 {
+        return group.follow_process(&args.device);
+    }
+    // threads end when rank 0 is gone, but processes need a message
+    let processes = group.is_mpi.then(|| group.mine.clone());
+    lead(args, Some(group), console).inspect_err(|error| {
+        if let Some(processes) = processes {
+            processes.fail(&error::chain(error));
+        }
+    })
+}
+
+/// Trains as the first rank, or alone.
+fn lead(args: &Args, group: Option<RankGroup>, console: Console) -> Result<()> {
+    let signals = Signals::listen()?;
+    let (folder, config, shrinks) = prepare(args, &signals, console)?;
+    let share = f64::from(args.view_share) / 100.0;
+    let job = TrainJob {
+        config,
+        folder: &folder,
+        resume: args.resume.is_some(),
+        shrinks,
+        scheduled: args.settings.minutes.map(|minutes| 60.0 * minutes),
+        time_limit: args.time_limit.map(f64::from),
+        view: args.view.then_some((&args.server, share)),
+        group,
+    };
+    let mut ended = Ended::default();
+    let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event));
+    let outcome = outcome.map_err(|error| with_resume(error, &folder))?;
+    console.note(&match outcome {
+        Outcome::Stopped => {
+            format!("saved; `organza train --resume {}` continues from here", quoted(&folder))
+        }
+        _ => {
+            format!(
+                "wrote {} and {}\nnext: organza view {}",
+                folder.join(CHECKPOINT).display(),
+                folder.join(REPORT).display(),
+                quoted(&folder)
+            )
+        }
+    });
+    if args.json { print_json(&ended.with_outcome(&folder, outcome)) } else { Ok(()) }
+}
+
+/// The error, and what continues the run once a full disk has room again.
+fn with_resume(error: Error, folder: &Path) -> Error {
+    match error {
+        Error::WriteFile { path, source }
+            if [ErrorKind::StorageFull, ErrorKind::QuotaExceeded].contains(&source.kind())
+                && folder.join(CONFIG).exists() =>
+        {
+            let resume = format!("{source}, then `organza train --resume {}`", quoted(folder));
+            Error::WriteFile { path, source: io::Error::new(source.kind(), resume) }
+        }
+        error => error,
+    }
+}
+
+/// The output of `--json` at the end of a run.
+#[derive(Debug, Default, Serialize)]
+struct Ended {
+    folder: String,
+    outcome: &'static str,
+    checkpoint: String,
+    report: String,
+    step: u32,
+    seconds: Option<f64>,
+    gaussians: Option<usize>,
+    /// Score of the last evaluation.
+    psnr: Option<f64>,
+    ssim: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    psnr_fitted: Option<f64>,
+}
+
+impl Ended {
+    fn see(&mut self, event: &Event<'_>) {
+        match event {
+            Event::Begin(step) => self.step = *step,
+            Event::Step { step, seconds, gaussians, .. } => {
+                self.step = *step;
+                self.seconds = Some(*seconds);
+                self.gaussians = Some(*gaussians);
+            }
+            Event::Evaluated(evaluation) => {
+                self.psnr = evaluation.mean.psnr;
+                self.ssim = evaluation.mean.ssim;
+                self.psnr_fitted = evaluation.mean.psnr_fitted;
+            }
+            _ => {}
+        }
+    }
+
+    fn with_outcome(self, folder: &Path, outcome: Outcome) -> Self {
+        let outcome = match outcome {
+            Outcome::Finished => "finished",
+            Outcome::TimeLimit => "time limit",
+            _ => "stopped",
+        };
+        let checkpoint = text_of(&folder.join(CHECKPOINT));
+        let report = text_of(&folder.join(REPORT));
+        Self { folder: text_of(folder), outcome, checkpoint, report, ..self }
+    }
+}
+
+/// The run's folder and settings, and whether photographs may shrink. A video and photographs become a data set in the folder.
+fn prepare(
+    args: &Args,
+    signals: &Signals,
+    console: Console,
+) -> Result<(PathBuf, TrainConfig, bool)> {
+    if let Some(folder) = &args.resume {
+        if folder.join(CAPTURED).exists() && !folder.join(CONFIG).exists() {
+            return refuse(format!(
+                "{} has no training yet, only what it trains on: continue with the command that began it, \
+                 `organza train VIDEO|PHOTOS -o {}`",
+                folder.display(),
+                quoted(folder)
+            ));
+        }
+        let config = args.settings.resumed(folder)?;
+        check_place(&config.data, folder)?;
+        return Ok((folder.clone(), config, false));
+    }
+    let folder = args.output.clone().expect("clap requires it");
+    let (mut config, shrinks) = args.settings.settings(args.data.as_deref())?;
+    if let Some(source) = config.data.path.take_if(|path| capture::is_source(path)) {
+        if folder.join(CONFIG).exists() {
+            let folder = folder.display();
+            return refuse(format!(
+                "{folder} holds a run already; continue it with `--resume`, or name another folder"
+            ));
+        }
+        let data = folder.join(CAPTURED);
+        config.data.path = Some(absolute(&data));
+        config.validate()?;
+        config.check_memory()?;
+        let source = args.data.as_deref().unwrap_or(&source);
+        capture::for_training(source, &data, signals, console)?;
+    }
+    Ok((folder, config, shrinks))
+}

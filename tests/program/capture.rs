@@ -793,6 +793,7 @@ fn frames_of_another_size_and_of_more_brightness_are_said() {
         "taking the 40 sharpest of 60 frames",
         "film.mp4 has colors of HLG, and this ffmpeg has no filter `zscale`",
         "40 of 40",
+        "organza train '100% of it' -o '100% of it-run'",
     ];
     outcome.says(&words);
     let calls = called(&sandbox);

@@ -13,8 +13,8 @@ use super::console::Console;
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
 use super::output::{check_file, made_of, relative_to};
-use super::refuse;
 use super::summary::count;
+use super::{quoted, refuse};
 
 const USAGE: &str = "organza export SCENE CAMERAS -o FILE";
 
@@ -125,8 +125,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let is_of_cameras = offset.is_none() && placement.meters.is_none();
     if is_of_cameras || format.stores_placement() {
         let [red, green, blue] = scene.config.background;
-        let file = args.output.display();
-        let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));
+        let file = quoted(&args.output);
+        let cameras = args.cameras.iter().map(|path| format!(" {}", quoted(path)));
         let cameras = cameras.collect::<String>();
         console.note(&format!(
             "back to a scene: organza import {file}{cameras} -o NEW --background {red:.3},{green:.3},{blue:.3}"

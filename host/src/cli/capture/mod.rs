@@ -19,8 +19,8 @@ use sha2::{Digest, Sha256};
 use super::console::Console;
 use super::inputs::FileKind;
 use super::output::{Folder, refuse_run};
-use super::refuse;
 use super::signals::Signals;
+use super::{quoted, refuse};
 use colmap::Colmap;
 use judge::Judgment;
 use programs::Programs;
@@ -112,11 +112,13 @@ struct CaptureJob<'a> {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let judgment = capture(args, Signals::listen, console)?;
     let output = named(&args.output);
+    let beside = |ending: &str| quoted(format!("{output}{ending}").as_ref());
     console.note(&match judgment.is_trainable() {
-        true => format!("next: organza train {output} -o {output}-run"),
+        true => format!("next: organza train {} -o {}", beside(""), beside("-run")),
         false => format!(
             "these poses are not worth training\n\
-             next: mend the capture as the warnings say, with organza capture IMAGES -o {output}-2"
+             next: mend the capture as the warnings say, with organza capture IMAGES -o {}",
+            beside("-2")
         ),
     });
     Ok(())
@@ -155,7 +157,7 @@ pub fn for_training(
     refuse(format!(
         "these poses are not worth training: mend the capture as the warnings say, and train it to another folder. \
          `organza train {} -o NEW` trains all the same",
-        named(output)
+        quoted(output)
     ))
 }
 

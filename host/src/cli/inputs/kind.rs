@@ -11,6 +11,8 @@ use organza_core::input::{has_extension, open_regular};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
+use crate::cli::quoted;
+
 /// The kinds of files and folders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
@@ -88,9 +90,9 @@ impl FileKind {
     /// What is wrong with a file that another program has written, in place of one of this kind.
     fn foreign(self, path: &Path) -> Option<String> {
         if self == Self::Scene && has_extension(path, &SPLATS) {
-            let path = path.display();
             return Some(format!(
-                "this is a file of 3D Gaussian Splatting; `organza import {path} -o NEW.safetensors` makes a scene of it"
+                "this is a file of 3D Gaussian Splatting; `organza import {} -o NEW.safetensors` makes a scene of it",
+                quoted(path)
             ));
         }
         let expected = self.expected();

@@ -203,67 +203,29 @@ fn every_number_that_is_drawn_is_in_the_page() {
     assert_alone(&page);
     let data = data(&page);
     // as text: a JSON value would hold the digits of an f64
-    let number = |value: f64| -> Value {
-        let text = serde_json::to_string(&Number::from(value)).unwrap();
+    let number = |value: &Value| -> Value {
+        let text = serde_json::to_string(&Number::from(value.as_f64().unwrap())).unwrap();
         serde_json::from_str(&text).unwrap()
     };
+    let logged: Vec<_> =
+        records.iter().map(|record| serde_json::to_value(record).unwrap()).collect();
     let mut count = 0;
-    let mut assert_drawn =
-        |chart: &str, name: &str, value: &dyn Fn(&Record) -> Option<[f64; 2]>| {
-            let points = records.iter().filter_map(|record| Some((record.step(), value(record)?)));
-            let points: Vec<_> = points.collect();
-            let [steps, seconds, y] = series(&data, chart, name);
-            assert_eq!(
-                steps,
-                points.iter().map(|(step, _)| Value::from(*step)).collect::<Vec<_>>()
-            );
-            let column =
-                |at: usize| points.iter().map(|point| number(point.1[at])).collect::<Vec<_>>();
-            assert_eq!((seconds, y), (column(0), column(1)), "{chart}: {name}");
-            count += points.len();
-        };
-    type Of = fn(&Record) -> Option<[f64; 2]>;
-    let of_steps: [(&str, &str, Of); 6] = [
-        ("Loss", "training batch", |record| match record {
-            Record::Step { seconds, loss, .. } => Some([*seconds, *loss]),
-            _ => None,
-        }),
-        ("PSNR", "training batch", |record| match record {
-            Record::Step { seconds, psnr, .. } => Some([*seconds, *psnr]),
-            _ => None,
-        }),
-        ("L1", "training batch", |record| match record {
-            Record::Step { seconds, l1, .. } => Some([*seconds, *l1]),
-            _ => None,
-        }),
-        ("SSIM", "training batch", |record| match record {
-            Record::Step { seconds, ssim, .. } => Some([*seconds, *ssim]),
-            _ => None,
-        }),
-        ("Gaussians", "Gaussians", |record| match record {
-            Record::Step { seconds, gaussians, .. } => Some([*seconds, *gaussians as f64]),
-            _ => None,
-        }),
-        ("Speed", "tiles", |record| match record {
-            Record::Step { seconds, tiles_per_second, .. } => Some([*seconds, *tiles_per_second]),
-            _ => None,
-        }),
-    ];
-    for (chart, name, value) in of_steps {
-        assert_drawn(chart, name, &value);
-    }
-    let of_views: [(&str, Of); 2] = [
-        ("PSNR", |record| match record {
-            Record::Evaluation { seconds, psnr, .. } => Some([*seconds, (*psnr)?]),
-            _ => None,
-        }),
-        ("SSIM", |record| match record {
-            Record::Evaluation { seconds, ssim, .. } => Some([*seconds, (*ssim)?]),
-            _ => None,
-        }),
-    ];
-    for (chart, value) in of_views {
-        assert_drawn(chart, "held-out views", &value);
+    for (chart, name, kind, key) in [
+        ("Loss", "training batch", "step", "loss"),
+        ("PSNR", "training batch", "step", "psnr"),
+        ("L1", "training batch", "step", "l1"),
+        ("SSIM", "training batch", "step", "ssim"),
+        ("Gaussians", "Gaussians", "step", "gaussians"),
+        ("Speed", "tiles", "step", "tiles_per_second"),
+        ("PSNR", "held-out views", "evaluation", "psnr"),
+        ("SSIM", "held-out views", "evaluation", "ssim"),
+    ] {
+        let of_kind: Vec<_> = logged.iter().filter(|record| record["kind"] == kind).collect();
+        let column = |key: &str| of_kind.iter().map(|record| number(&record[key])).collect();
+        let steps: Vec<_> = of_kind.iter().map(|record| record["step"].clone()).collect();
+        let expected = [steps, column("seconds"), column(key)];
+        assert_eq!(series(&data, chart, name), expected, "{chart}: {name}");
+        count += of_kind.len();
     }
     assert_eq!(count, 6 * 150 + 2 * 2);
 }

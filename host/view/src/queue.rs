@@ -189,12 +189,10 @@ impl Queue {
     pub(super) fn has_urgent(&self) -> bool {
         let state = self.state();
         !state.questions.is_empty()
-            || state.clients.values().any(|client| client.job.as_deref().is_some_and(is_urgent))
+            || state.clients.values().any(|client| {
+                client.job.as_ref().is_some_and(|job| job.request.quality != Quality::Exact)
+            })
     }
-}
-
-fn is_urgent(job: &FrameJob) -> bool {
-    job.request.quality != Quality::Exact
 }
 
 impl Client {

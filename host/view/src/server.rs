@@ -24,7 +24,7 @@ use super::guard::{Access, Guard};
 use super::keyframes::{self, PathRequest};
 use super::message::{FrameRequest, PixelRequest, check};
 use super::queue::{Answer, FrameJob, Payload, Question, Queue};
-use super::training_status::{Command, TrainingStatus};
+use super::training_status::TrainingStatus;
 use organza_core::Camera;
 use organza_core::error::{self, Error, Result};
 use organza_report::{UPLOT_SCRIPT, UPLOT_STYLE};
@@ -46,6 +46,13 @@ struct Viewer {
     queue: Arc<Queue>,
     about: About,
     training_status: Option<Arc<TrainingStatus>>,
+}
+
+impl Viewer {
+    fn training(&self) -> Result<&TrainingStatus, Refusal> {
+        let reason = || Refusal(StatusCode::NOT_FOUND, "nothing is being trained".to_owned());
+        self.training_status.as_deref().ok_or_else(reason)
+    }
 }
 
 impl Server {
@@ -176,14 +183,6 @@ async fn answer(viewer: &Viewer, place: &Place, request: Request<Incoming>) -> R
     reply
 }
 
-fn not_there(path: &str) -> Refusal {
-    Refusal(StatusCode::NOT_FOUND, format!("there is no {path}"))
-}
-
-fn not_for(method: &Method, path: &str) -> Refusal {
-    Refusal(StatusCode::METHOD_NOT_ALLOWED, format!("{method} is not for {path}"))
-}
-
 async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Refusal> {
     let method = request.method().clone();
     let path = request.uri().path().to_owned();
@@ -193,15 +192,9 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
         (&Method::GET, "/points") => {
             Ok(text(StatusCode::OK, "application/octet-stream", viewer.about.points()))
         }
-        (&Method::GET, "/training.json") => match &viewer.training_status {
-            Some(training_status) => json(training_status.to_json().as_bytes()),
-            None => Err(Refusal(StatusCode::NOT_FOUND, "nothing is being trained".to_owned())),
-        },
+        (&Method::GET, "/training.json") => json(viewer.training()?.to_json().as_bytes()),
         (&Method::POST, "/training") => {
-            let command: Command = parsed(&body(request).await?)?;
-            if let Some(training_status) = &viewer.training_status {
-                training_status.command(command);
-            }
+            viewer.training()?.command(parsed(&body(request).await?)?);
             json(b"{}")
         }
         (&Method::POST, "/frame") => {
@@ -243,10 +236,13 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
             }
             match path.strip_prefix("/photograph/").and_then(|view| view.parse().ok()) {
                 Some(view) => ask(viewer, Question::Photograph(view)).await,
-                None => Err(not_there(path)),
+                None => Err(Refusal(StatusCode::NOT_FOUND, format!("there is no {path}"))),
             }
         }
-        _ => Err(not_for(&method, &path)),
+        _ => {
+            let reason = format!("{method} is not for {path}");
+            Err(Refusal(StatusCode::METHOD_NOT_ALLOWED, reason))
+        }
     }
 }
 

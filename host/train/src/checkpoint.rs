@@ -213,19 +213,6 @@ impl Checkpoint {
         Err(Error::Invalid { origin: path.to_owned(), reason })
     }
 
-    /// The exposures of all photographs: the checkpoint's, or the state before the first step.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] if the checkpoint has another number of photographs.
-    pub(super) fn exposures_of(&self, photographs: usize) -> Result<PerPhotograph> {
-        per_photograph_or_start(self.exposures.as_ref(), photographs, "exposures")
-    }
-
-    /// The poses of all photographs, like [`Self::exposures_of`].
-    pub(super) fn poses_of(&self, photographs: usize) -> Result<PerPhotograph> {
-        per_photograph_or_start(self.poses.as_ref(), photographs, "poses")
-    }
-
     /// Checks that the tensors beside the scene are possible results of training.
     fn check(&self, origin: &Path) -> Result<()> {
         for (spec, values) in self.beside_scene(&self.photograph_tensors()) {
@@ -247,7 +234,10 @@ impl Checkpoint {
 }
 
 /// The learned values of all photographs: the values that were found in the checkpoint, or the values before the first step.
-fn per_photograph_or_start(
+///
+/// # Errors
+/// [`Error::Invalid`] if the checkpoint has another number of photographs.
+pub(super) fn per_photograph_or_start(
     found: Option<&PerPhotograph>,
     photographs: usize,
     what: &str,

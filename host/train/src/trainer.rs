@@ -5,6 +5,7 @@ mod state;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
+use super::checkpoint::per_photograph_or_start;
 use super::coarse::{Batches, Drawn};
 use super::densification::{DensificationStats, densify};
 use super::optimizer::Update;
@@ -120,29 +121,26 @@ impl Trainer {
         let frames: Vec<_> = dataset.train_frames().collect();
         let mut cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
         let batches = Batches::new(&frames, &config.run)?;
-        let exposures = match config.exposure.learn.decide(&dataset) {
-            false => None,
-            true => {
-                let learned = checkpoint.exposures_of(cameras.len())?;
-                Some(Exposures::new(renderer.device(), &learned)?)
-            }
-        };
-        let poses = match config.poses.refine {
-            false => None,
-            true => Some(PoseSet::new(checkpoint.poses_of(cameras.len())?, cameras.clone())),
-        };
-        if let Some(poses) = &poses {
-            cameras = poses.cameras();
-        }
+        let device = renderer.device();
+        let count = cameras.len();
         let mut state = TrainerState::new(renderer, &config, checkpoint)?;
-        if poses.is_some() {
-            state.gradient = state.gradient.with_poses(renderer.device(), cameras.len())?;
+        let mut poses = None;
+        if config.poses.refine {
+            let learned = per_photograph_or_start(checkpoint.poses.as_ref(), count, "poses")?;
+            let refined = PoseSet::new(learned, cameras);
+            cameras = refined.cameras();
+            poses = Some(refined);
+            state.gradient = state.gradient.with_poses(device, count)?;
         }
-        if exposures.is_some() {
-            state.gradient = state.gradient.with_exposures(renderer.device(), cameras.len())?;
+        let mut exposures = None;
+        if config.exposure.learn.decide(&dataset) {
+            let found = checkpoint.exposures.as_ref();
+            let learned = per_photograph_or_start(found, count, "exposures")?;
+            exposures = Some(Exposures::new(device, &learned)?);
+            state.gradient = state.gradient.with_exposures(device, count)?;
         }
         // after the scene, which must fit
-        let photographs = ResidentPhotographs::new(renderer.device(), &frames)?;
+        let photographs = ResidentPhotographs::new(device, &frames)?;
         let renderer = renderer.clone();
         let step = checkpoint.progress.step;
         Ok(Self {

@@ -157,11 +157,6 @@ impl Progress {
         self.log();
     }
 
-    /// Sets the total number of steps.
-    pub fn set_length(&self, all: usize) {
-        self.bar.set_length(all as u64);
-    }
-
     /// Sets the number of finished steps, and the total number.
     pub fn set_of(&self, steps: usize, all: usize) {
         self.bar.set_length(all as u64);

@@ -8,7 +8,7 @@ use organza::metrics::psnr_of;
 use organza::train::{Change, Event, Outcome, StepReport};
 
 use super::console::{Console, Progress, between_lines, left};
-use super::summary::{count, grouped};
+use super::summary::{count, grouped, score};
 
 /// Fewest seconds between lines.
 const SHORTEST: f64 = 2.0;
@@ -68,7 +68,7 @@ impl TrainingProgress {
             Event::Scheduled(steps) => {
                 self.steps = *steps;
                 self.is_scheduled = true;
-                self.bar.set_length(*steps as usize);
+                self.bar.set_of(self.step as usize, *steps as usize);
             }
             Event::Step { step, seconds, report, gaussians, .. } => {
                 self.step = *step;
@@ -129,8 +129,8 @@ impl TrainingProgress {
             "step {}: {}: PSNR {} dB{fitted}, SSIM {}",
             grouped(self.step.into()),
             count(evaluation.views.len() as u64, "held-out view"),
-            shown(evaluation.mean.psnr, 2),
-            shown(evaluation.mean.ssim, 4),
+            score(evaluation.mean.psnr, 2),
+            score(evaluation.mean.ssim, 4),
         );
         self.bar.note(self.console, &text);
     }
@@ -160,11 +160,6 @@ impl TrainingProgress {
         let limit = self.time_limit.map_or(f64::INFINITY, |limit| (limit - self.seconds).max(0.0));
         (f64::from(self.steps.saturating_sub(self.step)) / speed).min(limit)
     }
-}
-
-/// A score with some digits after the point, or `no`.
-fn shown(value: Option<f64>, digits: usize) -> String {
-    value.map_or("no".to_owned(), |value| format!("{value:.digits$}"))
 }
 
 /// Decides when a line is due, and computes the means since the last one.

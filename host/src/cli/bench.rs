@@ -14,7 +14,7 @@ use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::summary::{Table, count, grouped};
 use super::tiles::load_batch;
-use super::{image_size, refuse};
+use super::{image_size, refuse, usage};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -80,28 +80,26 @@ impl Args {
             return Ok(Workload { scene: demo::scene(), cameras, batch });
         };
         let source = SceneSource::find(scene)?;
-        let usage = "organza bench SCENE CAMERAS TILES";
         if self.frame {
             return self.frame(source, console);
         }
         let (Some(cameras), Some(tiles)) = (&self.cameras, &self.tiles) else {
             return refuse(format!(
-                "the arguments CAMERAS and TILES are required: `{usage}`; an image needs `--frame`"
+                "the arguments CAMERAS and TILES are required: `{}`; an image needs `--frame`",
+                usage()
             ));
         };
         let batch = load_batch(tiles)?;
-        let cameras = Cameras::load(&source, Some(cameras), &self.data, usage, console)?.list;
+        let cameras = Cameras::load(&source, Some(cameras), &self.data, console)?.list;
         batch.validate(&cameras).map_err(|error| error.in_file(tiles))?;
         Ok(Workload { scene: source.load(console)?, cameras, batch })
     }
 
     /// One image.
     fn frame(&self, source: SceneSource, console: Console) -> Result<Workload> {
-        let usage = "organza bench SCENE CAMERAS --frame";
         let scene = source.load(console)?;
         let camera = if self.cameras.is_some() || source.settings()?.is_some() {
-            let cameras =
-                Cameras::load(&source, self.cameras.as_deref(), &self.data, usage, console)?;
+            let cameras = Cameras::load(&source, self.cameras.as_deref(), &self.data, console)?;
             cameras.list[0].with_size(self.size)
         } else {
             Orbit::from_box(scene.visible_box(), self.size).cameras(1)?.remove(0)

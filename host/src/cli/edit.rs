@@ -14,8 +14,6 @@ use super::output::check_scene_file;
 use super::summary::{Table, count, grouped};
 use super::{number_in, numbers, refuse, text_of};
 
-const USAGE: &str = "organza edit SCENE DATA -o NEW";
-
 const EXAMPLES: &str = "\
 Examples:
   organza edit run -o small.safetensors --min-contribution    without what no photograph shows
@@ -105,7 +103,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut removed = args.crop(&mut scene)?;
     if args.renders_views() {
         let data = args.data.as_deref();
-        let cameras = Cameras::load(&source, data, &args.data_args, USAGE, console)?.list;
+        let cameras = Cameras::load(&source, data, &args.data_args, console)?.list;
         let renderer = args.device.open(console)?;
         args.by_contribution(&mut scene, &cameras, &renderer, &mut removed, console)?;
     }

@@ -66,8 +66,7 @@ impl Args {
     /// Reads the scene and the photographs, and compares them.
     fn evaluate(&self, console: Console) -> Result<Evaluation> {
         let source = SceneSource::find(&self.scene)?;
-        let usage = "organza eval SCENE DATA";
-        let mut settings = self.data_args.settings(&source, self.data.as_deref(), usage)?;
+        let mut settings = self.data_args.settings(&source, self.data.as_deref())?;
         let split = self.data_args.split(Split::HeldOut);
         if split == Split::All {
             // Frames that the run held out are measured like all others.

@@ -57,8 +57,7 @@ fn number(text: &str) -> Option<i32> {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
-    let usage = "organza explain SCENE CAMERAS";
-    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
+    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, console)?;
     let Cameras { list: cameras, origin, .. } = cameras;
     let Args { view, pixel, .. } = *args;
     let Some(camera) = cameras.get(view) else { return no_view(view, cameras.len(), &origin) };

@@ -16,8 +16,6 @@ use super::output::{check_file, made_of, relative_to};
 use super::summary::count;
 use super::{quoted, refuse};
 
-const USAGE: &str = "organza export SCENE CAMERAS -o FILE";
-
 /// Loss of PSNR by rounding that is worth a warning, in dB.
 const NOTICED: f64 = 0.1;
 
@@ -163,14 +161,12 @@ fn load_views(
     };
     if !has_photographs {
         let views = match named {
-            Some(_) => {
-                Views::from_cameras(Cameras::load(source, named, &args.data, USAGE, console)?.list)
-            }
+            Some(_) => Views::from_cameras(Cameras::load(source, named, &args.data, console)?.list),
             None => Views::around(scene.visible_box())?,
         };
         return Ok((views, None));
     }
-    let settings = args.data.settings(source, named, USAGE)?;
+    let settings = args.data.settings(source, named)?;
     let data = DataSet::of(source, named, settings, console)?;
     let (held_out, fitted): (Vec<_>, _) =
         data.cameras()?.into_iter().partition(|pose| pose.held_out);

@@ -14,7 +14,6 @@ use super::inputs::{Cameras, DataArgs, SceneSource, Shown};
 use super::output::{Folder, check_file, refuse_run};
 use super::{refuse, title};
 
-const USAGE: &str = "organza export-web SCENE CAMERAS -o FOLDER";
 /// Longest side of a page's images, in pixels.
 const MAX_SIDE: u32 = 4096;
 
@@ -121,7 +120,7 @@ fn cameras(shown: &Shown, data: &DataArgs, console: Console) -> Result<Vec<Camer
     if named.is_none() && !data.is_given() && source.settings()?.is_none() {
         return Ok(Vec::new());
     }
-    Ok(Cameras::load(source, named, data, USAGE, console)?.list)
+    Ok(Cameras::load(source, named, data, console)?.list)
 }
 
 /// The page's folder. Refuses a folder that holds another page, or a training run.

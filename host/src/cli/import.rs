@@ -61,9 +61,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let named = args.cameras.as_deref();
     let background = args.background.unwrap_or(Background::Auto).color();
     let views = if named.is_some() || args.data.is_given() {
-        let usage = "organza import FILE CAMERAS -o SCENE";
-        let cameras = Cameras::load(&source, named, &args.data, usage, console)?;
-        let settings = args.data.settings(&source, named, usage)?;
+        let cameras = Cameras::load(&source, named, &args.data, console)?;
+        let settings = args.data.settings(&source, named)?;
         let background = Background::Color(background);
         let options = DatasetOptions { background, ..settings.options() };
         file = fitted(file, &cameras.origin, &options)?;

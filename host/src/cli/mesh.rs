@@ -14,8 +14,6 @@ use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::{check_file, relative_to};
 use super::summary::grouped;
 
-const USAGE: &str = "organza mesh SCENE CAMERAS -o FILE";
-
 const EXAMPLES: &str = "\
 Examples:
   organza mesh run -o room.glb                       for Blender, game engines and viewers
@@ -63,7 +61,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     check_file(&args.output, &inputs)?;
-    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, USAGE, console)?.list;
+    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, console)?.list;
     let scene = source.load(console)?;
     let renderer = args.device.open(console)?;
     let uploaded = args.scene_args.upload(&renderer, &scene)?;

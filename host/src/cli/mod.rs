@@ -98,7 +98,7 @@ pub fn main() -> ExitCode {
     remember_panics();
     let Cli { console, command } = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) => return usage(error),
+        Err(error) => return report(error),
     };
     let run = || match &command {
         Command::Capture(args) => capture::run(args, console).map(done),
@@ -134,7 +134,7 @@ pub fn main() -> ExitCode {
 }
 
 /// Prints what clap reports: help, or an error with each paragraph in one line.
-fn usage(mut error: clap::Error) -> ExitCode {
+fn report(mut error: clap::Error) -> ExitCode {
     if !error.use_stderr() {
         // It is no error if the reader has closed the pipe.
         let _ = error.print();
@@ -161,11 +161,30 @@ fn usage(mut error: clap::Error) -> ExitCode {
             _ => console::line("help", &hint),
         }
     }
-    let command = Cli::command();
-    let named = std::env::args_os().skip(1).find(|word| command.find_subcommand(word).is_some());
-    let named = named.unwrap_or_default();
-    console::line("help", format!("organza help {}", named.display()).trim_end());
+    let named = named_command().map(|command| format!(" {}", command.get_name()));
+    console::line("help", &format!("organza help{}", named.unwrap_or_default()));
     ExitCode::from(FAILURE)
+}
+
+/// The command that the user has named.
+fn named_command() -> Option<clap::Command> {
+    let program = Cli::command();
+    std::env::args_os().skip(1).find_map(|word| program.find_subcommand(word).cloned())
+}
+
+/// The named command with its arguments and the options that it needs, such as `organza mesh SCENE CAMERAS -o FILE`.
+fn usage() -> String {
+    let command = named_command().unwrap_or_default();
+    let mut usage = format!("organza {}", command.get_name());
+    for argument in command.get_positionals() {
+        usage += &format!(" {}", argument.get_id().as_str().to_uppercase());
+    }
+    for option in command.get_opts().filter(|option| option.is_required_set()) {
+        if let (Some(short), Some([value])) = (option.get_short(), option.get_value_names()) {
+            usage += &format!(" -{short} {value}");
+        }
+    }
+    usage
 }
 
 /// The exit code of a success.

@@ -74,8 +74,7 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let shown = Shown::find(&args.scene, &args.cameras)?;
     let source = &shown.source;
-    let usage = "organza render SCENE CAMERAS -o DIR";
-    let cameras = &Cameras::load(source, shown.cameras.as_deref(), &args.data, usage, console)?;
+    let cameras = &Cameras::load(source, shown.cameras.as_deref(), &args.data, console)?;
     let views = &match &args.views {
         Some(chosen) => chosen.resolve(cameras.list.len(), &cameras.origin)?,
         None => (0..cameras.list.len()).collect(),

@@ -89,8 +89,7 @@ impl Args {
         // The large file is read last: most mistakes are in the small ones.
         let batch = load_batch(&self.tiles)?;
         let named = self.cameras.as_deref();
-        let usage = "organza tiles SCENE CAMERAS TILES";
-        let cameras = Cameras::load(source, named, &self.data, usage, console)?.list;
+        let cameras = Cameras::load(source, named, &self.data, console)?.list;
         batch.validate(&cameras).map_err(|error| error.in_file(&self.tiles))?;
         let mut views: Vec<_> = batch.tiles.iter().map(|tile| tile.camera).collect();
         views.sort_unstable();

@@ -174,9 +174,8 @@ fn surroundings(
         }
         return Ok(Default::default());
     }
-    let usage = "organza view SCENE DATA";
     if let Some(file) = named.filter(|file| !args.data_args.names_photographs(file)) {
-        let cameras = Cameras::load(source, Some(file), &args.data_args, usage, console)?;
+        let cameras = Cameras::load(source, Some(file), &args.data_args, console)?;
         // a data set's file means that data set; another file has just cameras
         if !cameras.has_photographs() {
             let pose = |camera: Camera| Pose {
@@ -189,7 +188,7 @@ fn surroundings(
             return Ok((poses, Photographs::default(), Vec::new()));
         }
     }
-    let settings = args.data_args.settings(source, named, usage)?;
+    let settings = args.data_args.settings(source, named)?;
     let data = DataSet::of(source, named, settings, console)?;
     let poses = data.cameras()?;
     let (photographs, points) = data.photographs();

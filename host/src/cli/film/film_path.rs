@@ -9,7 +9,6 @@ use crate::cli::summary::count;
 use crate::cli::views::ViewList;
 use crate::cli::{image_size, refuse};
 
-const USAGE: &str = "organza film SCENE CAMERAS -o FILE";
 /// Longer side of a film by default, in pixels: photographs may be several times as large.
 const LONGEST_SIDE: u32 = 1920;
 
@@ -47,7 +46,7 @@ impl PathArgs {
             let orbit = Orbit::from_box(scene.visible_box(), size);
             return Ok((orbit.cameras(frames)?, None));
         }
-        let cameras = Cameras::load(source, named, data, USAGE, console)?;
+        let cameras = Cameras::load(source, named, data, console)?;
         let size = |camera: &Camera| self.size.unwrap_or_else(|| default_size(camera, is_even));
         let frames = if is_between {
             self.between(&cameras, frames, size)?

@@ -16,6 +16,7 @@ use super::SceneSource;
 use super::kind::{FileKind, told_apart};
 use crate::cli::console::Console;
 use crate::cli::summary::count;
+use crate::cli::usage;
 
 /// Options that say how to read a data set, and which of its frames to use.
 #[derive(Debug, Default, clap::Args)]
@@ -81,18 +82,13 @@ impl DataArgs {
     }
 
     /// The settings of the data set: from the scene's run, unless an argument or an option says otherwise.
-    /// `usage` shows how to name a data set.
-    pub fn settings(
-        &self,
-        scene: &SceneSource,
-        named: Option<&Path>,
-        usage: &str,
-    ) -> Result<DataConfig> {
+    pub fn settings(&self, scene: &SceneSource, named: Option<&Path>) -> Result<DataConfig> {
         let run = scene.settings()?;
         if run.is_none() && named.is_none() {
             let reason = format!(
                 "a scene file does not say what it was trained on, only a training run's folder does; name the data \
-                 set: `{usage}`"
+                 set: `{}`",
+                usage()
             );
             let error = Error::Invalid { origin: scene.named().to_owned(), reason };
             return Err(told_apart(error, scene.named(), FileKind::Scene));

@@ -115,17 +115,15 @@ pub struct Cameras {
 impl Cameras {
     /// Reads cameras, in the scene's coordinates. A data set's cameras are undistorted and downscaled. A folder is a data
     /// set, and so is a file if an option of [`DataArgs`] is given. Without a name, the scene's run has the data set.
-    /// `usage` shows how to name cameras.
     pub fn load(
         scene: &SceneSource,
         named: Option<&Path>,
         args: &DataArgs,
-        usage: &str,
         console: Console,
     ) -> Result<Self> {
         let cameras = match named {
             Some(file) if !file.is_dir() && !args.is_given() => Self::from_file(scene, file)?,
-            _ => Self::from_data_set(scene, named, args, usage, console)?,
+            _ => Self::from_data_set(scene, named, args, console)?,
         };
         let number = count(cameras.list.len() as u64, "view");
         console.detail(&format!("cameras {}: {number}", cameras.origin.display()));
@@ -144,10 +142,9 @@ impl Cameras {
         scene: &SceneSource,
         named: Option<&Path>,
         args: &DataArgs,
-        usage: &str,
         console: Console,
     ) -> Result<Self> {
-        let settings = args.settings(scene, named, usage)?;
+        let settings = args.settings(scene, named)?;
         let origin = settings.path.as_deref().unwrap_or(scene.named()).to_owned();
         let poses = DataSet::of(scene, named, settings, console)?.cameras()?;
         let photographs = existing(poses.iter().filter_map(|pose| pose.photograph.clone()));

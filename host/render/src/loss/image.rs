@@ -157,70 +157,72 @@ fn scales(valid_pixels: f64, ssim_weight: f32) -> [f64; 2] {
 pub fn image_loss(device: &Device, side: u32, inputs: &LossInputs<'_>) -> Result<LossOutput> {
     let tiles = inputs.tiles(side)?;
     let pixels = inputs.valid.len();
-    let window = metrics::window().map(|weight| weight as f32);
-    let window = device.upload("window", &window)?;
+    let params = LossParams { side, tiles };
     let difference = device.unwritten::<Vec4>("differences", pixels)?;
     let sum = device.unwritten::<Vec4>("sums", pixels)?;
-    let moments = device.unwritten::<Vec4>("moments", pixels * MOMENTS as usize)?;
-    let dissimilarity = device.unwritten("dissimilarities", pixels)?;
-    let slopes = device.unwritten::<Vec4>("slopes", pixels * SLOPES as usize)?;
-    let row_slopes = device.unwritten::<Vec4>("slopes of rows", pixels * SLOPES as usize)?;
-    let row_sum = device.unwritten("row sums", (tiles * side) as usize)?;
-    let grad_tiles = device.unwritten("gradient of the image", inputs.image.len())?;
-
-    let terms = LossTermsKernel {
-        params: LossParams { side, tiles },
+    device.run_all(&LossTermsKernel {
+        params,
         image: inputs.image,
         target: inputs.target,
         valid: inputs.valid,
         difference: &difference,
         sum: &sum,
-    };
-    let params = SsimParams { side };
-    let rows = SsimRowsKernel {
+    })?;
+    let window = metrics::window().map(|weight| weight as f32);
+    let window = device.upload("window", &window)?;
+    let (dissimilarity, row_slopes) = ssim(device, side, &window, &difference, &sum)?;
+    let row_sum = device.unwritten("row sums", (tiles * side) as usize)?;
+    device.run_all(&LossRowsKernel {
         params,
-        window: &window,
-        difference: &difference,
-        sum: &sum,
-        moments: &moments,
-    };
-    let columns = SsimColumnsKernel {
-        params,
-        window: &window,
-        difference: &difference,
-        moments: &moments,
-        dissimilarity: &dissimilarity,
-        slopes: &slopes,
-    };
-    let rows_backward = SsimRowsBackwardKernel {
-        params,
-        window: &window,
-        slopes: &slopes,
-        row_slopes: &row_slopes,
-    };
-    let row_sums = LossRowsKernel {
-        params: LossParams { side, tiles },
         difference: &difference,
         dissimilarity: &dissimilarity,
         row_sum: &row_sum,
-    };
+    })?;
+    let grad_tiles = device.unwritten("gradient of the image", inputs.image.len())?;
     let [absolute_scale, ssim_scale] =
         scales(inputs.valid_pixels, inputs.ssim_weight).map(|scale| scale as f32);
-    let gradient = LossGradientKernel {
+    device.run_all(&LossGradientKernel {
         params: LossGradientParams { side, absolute_scale, ssim_scale },
         window: &window,
         difference: &difference,
         sum: &sum,
         row_slopes: &row_slopes,
         grad_image: &grad_tiles,
-    };
-    device.run_all(&terms)?;
-    device.run_all(&rows)?;
-    device.run_all(&columns)?;
-    device.run_all(&rows_backward)?;
-    device.run_all(&row_sums)?;
-    device.run_all(&gradient)?;
+    })?;
     Ok(LossOutput { grad_tiles, row_sum, side })
+}
+
+/// `1 - SSIM` of each pixel, `[K, S, S]`, and the derivatives of their sum, which lack only the pass over columns,
+/// `[K, S, S, SLOPES]`.
+fn ssim(
+    device: &Device,
+    side: u32,
+    window: &Buffer<f32>,
+    difference: &Buffer<Vec4>,
+    sum: &Buffer<Vec4>,
+) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+    let pixels = difference.len();
+    let params = SsimParams { side };
+    let moments = device.unwritten("moments", pixels * MOMENTS as usize)?;
+    device.run_all(&SsimRowsKernel { params, window, difference, sum, moments: &moments })?;
+    let dissimilarity = device.unwritten("dissimilarities", pixels)?;
+    let slopes = device.unwritten("slopes", pixels * SLOPES as usize)?;
+    device.run_all(&SsimColumnsKernel {
+        params,
+        window,
+        difference,
+        moments: &moments,
+        dissimilarity: &dissimilarity,
+        slopes: &slopes,
+    })?;
+    let row_slopes = device.unwritten("slopes of rows", pixels * SLOPES as usize)?;
+    device.run_all(&SsimRowsBackwardKernel {
+        params,
+        window,
+        slopes: &slopes,
+        row_slopes: &row_slopes,
+    })?;
+    Ok((dissimilarity, row_slopes))
 }
 
 impl LossInputs<'_> {

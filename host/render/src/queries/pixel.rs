@@ -222,42 +222,7 @@ impl Renderer {
         let parts = self.pass(scene, cameras).cut(&batch)?;
         let part = Part::evaluate(scene, cameras, &parts.list[0].part_tiles, false, None)?;
 
-        let pair = device.read(&part.bins.pairs.pair)?;
-        let first = device.read(&part.transmittance.segments.first_sample)?;
-        let transmittance = device.read(&part.transmittance.transmittance)?;
-        let color = device.read(&part.color.color)?;
-        let (color, _) = color.as_chunks::<3>();
-        let splat = device.read(&part.composite.splat)?;
-        let opacity = device.read(&scene.tensors.gaussians.opacity)?;
-        let center = KernelTile { camera: 0, origin: pixel, output: 0 }.pixel_center(0, 0);
-
-        let mut sum = Vec4::ZERO;
-        let mut contributions = Vec::new();
-        for intersection in device.read(&part.bins.intersection)? {
-            let index = intersection as usize;
-            let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
-            let color = color[index];
-            let d = center - Vec2::new(placed.x, placed.y);
-            let q = splat_distance(placed, conic, center.x, center.y);
-            let reached = in_support(q);
-            let alpha = if reached { alpha(placed, q) } else { 0.0 };
-            if reached {
-                sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
-            }
-            let gaussian = (pair[index] % scene.gaussians) as usize;
-            contributions.push(Contribution {
-                gaussian,
-                distance: d.length(),
-                falloff: falloff(q),
-                opacity: muslin::math::sigmoid(opacity[gaussian]),
-                samples: first[index + 1] - first[index],
-                transmittance: transmittance[index],
-                alpha,
-                color,
-                color_sum: sum.truncate().to_array(),
-                alpha_sum: sum.w,
-            });
-        }
+        let contributions = contributions(scene, &part, pixel)?;
         // the running sums were added here; these sums are the kernels'
         let sum = device.read(&part.composite.sum)?;
         let image = device.read(&part.composite.image)?;
@@ -273,4 +238,46 @@ impl Renderer {
         };
         Ok((inspection, part))
     }
+}
+
+/// The parts that a pixel's Gaussians have in its sums, in the order of the sums. `part` has one tile of this pixel alone.
+fn contributions(scene: &DeviceScene, part: &Part, pixel: [i32; 2]) -> Result<Vec<Contribution>> {
+    let device = scene.device();
+    let pair = device.read(&part.bins.pairs.pair)?;
+    let first = device.read(&part.transmittance.segments.first_sample)?;
+    let transmittance = device.read(&part.transmittance.transmittance)?;
+    let color = device.read(&part.color.color)?;
+    let (color, _) = color.as_chunks::<3>();
+    let splat = device.read(&part.composite.splat)?;
+    let opacity = device.read(&scene.tensors.gaussians.opacity)?;
+    let center = KernelTile { camera: 0, origin: pixel, output: 0 }.pixel_center(0, 0);
+
+    let mut sum = Vec4::ZERO;
+    let mut contributions = Vec::new();
+    for intersection in device.read(&part.bins.intersection)? {
+        let index = intersection as usize;
+        let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
+        let color = color[index];
+        let d = center - Vec2::new(placed.x, placed.y);
+        let q = splat_distance(placed, conic, center.x, center.y);
+        let reached = in_support(q);
+        let alpha = if reached { alpha(placed, q) } else { 0.0 };
+        if reached {
+            sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
+        }
+        let gaussian = (pair[index] % scene.gaussians) as usize;
+        contributions.push(Contribution {
+            gaussian,
+            distance: d.length(),
+            falloff: falloff(q),
+            opacity: muslin::math::sigmoid(opacity[gaussian]),
+            samples: first[index + 1] - first[index],
+            transmittance: transmittance[index],
+            alpha,
+            color,
+            color_sum: sum.truncate().to_array(),
+            alpha_sum: sum.w,
+        });
+    }
+    Ok(contributions)
 }

@@ -10,11 +10,13 @@
 mod about;
 mod connections;
 mod editor;
+mod explanation;
 mod frame_renderer;
 mod guard;
 mod home;
 mod keyframes;
 mod message;
+mod pace;
 mod photographs;
 mod picture;
 mod places;

@@ -126,8 +126,8 @@ impl<'a> Source<'a> {
     /// PSNR or SSIM of the held-out views.
     fn held_out(&self, is_psnr: bool) -> Series {
         let value = |record: &&Record| match record {
-            Record::Evaluation { psnr, ssim, .. } => {
-                (if is_psnr { psnr } else { ssim }).unwrap_or(f64::NAN).into()
+            Record::Evaluation { mean, .. } => {
+                (if is_psnr { mean.psnr } else { mean.ssim }).unwrap_or(f64::NAN).into()
             }
             _ => Number(None),
         };

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::pictures::Pictures;
 use organza_core::error::Result;
-use organza_train::evaluate::ViewScore;
+use organza_train::evaluate::{Score, ViewScore};
 use organza_train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use organza_train::{CONFIG, Change, METRICS, TrainConfig};
 
@@ -23,12 +23,9 @@ pub struct Run {
 /// The progress of a run, at its last evaluation or else at its last logged step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Summary {
-    /// Mean PSNR of the held-out views, in decibels.
-    pub psnr: Option<f64>,
-    /// The same after each photograph's exposure is fitted, if the run learns exposures.
-    pub psnr_fitted: Option<f64>,
-    /// Mean SSIM of the held-out views.
-    pub ssim: Option<f64>,
+    /// Means of the held-out views.
+    #[serde(flatten)]
+    pub mean: Score,
     /// Number of steps at that time.
     pub step: u64,
     /// Seconds of training at that time.
@@ -62,10 +59,8 @@ impl Run {
         let last = evaluation.or_else(|| last(|record| matches!(record, Record::Step { .. })));
         let mut summary = Summary::default();
         match last {
-            Some(Record::Evaluation { step, seconds, psnr, ssim, psnr_fitted, .. }) => {
-                summary.psnr = *psnr;
-                summary.psnr_fitted = *psnr_fitted;
-                summary.ssim = *ssim;
+            Some(Record::Evaluation { step, seconds, mean, .. }) => {
+                summary.mean = *mean;
                 summary.step = *step;
                 summary.seconds = *seconds;
             }
@@ -129,8 +124,8 @@ impl Run {
     /// All evaluations.
     pub(super) fn evaluations<'a>(&'a self) -> Vec<Evaluation<'a>> {
         let evaluation = |record: &'a Record| match *record {
-            Record::Evaluation { step, seconds, psnr, ssim, psnr_fitted, ref views } => {
-                Some(Evaluation { step, seconds, psnr, ssim, psnr_fitted, views })
+            Record::Evaluation { step, seconds, mean, ref views } => {
+                Some(Evaluation { step, seconds, mean, views })
             }
             _ => None,
         };
@@ -198,9 +193,7 @@ pub fn differences<'a>(runs: impl IntoIterator<Item = &'a Run>) -> Vec<Differenc
 pub(super) struct Evaluation<'a> {
     pub step: u64,
     pub seconds: f64,
-    pub psnr: Option<f64>,
-    pub ssim: Option<f64>,
-    pub psnr_fitted: Option<f64>,
+    pub mean: Score,
     pub views: &'a [ViewScore],
 }
 

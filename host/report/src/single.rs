@@ -15,7 +15,7 @@ use muslin_device::grouped;
 use organza_core::metrics::ERROR_FACTOR;
 use organza_core::{Result, write_inside};
 use organza_train::config::TrainConfig;
-use organza_train::evaluate::ViewScore;
+use organza_train::evaluate::{Score, ViewScore};
 use organza_train::metrics::TimingRow;
 
 /// Largest number of pictures over time.
@@ -54,12 +54,12 @@ fn header(run: &Run) -> Markup {
     let summary = run.summary();
     let mut facts = Vec::new();
     let mut add = |name: &'static str, value: String, unit: String| facts.push((name, value, unit));
-    if summary.psnr.is_some() || summary.ssim.is_some() {
-        add("Held-out PSNR", score(summary.psnr, 2), "dB".to_owned());
-        if summary.psnr_fitted.is_some() {
-            add("With exposures fitted", score(summary.psnr_fitted, 2), "dB".to_owned());
+    if summary.mean.psnr.is_some() || summary.mean.ssim.is_some() {
+        add("Held-out PSNR", score(summary.mean.psnr, 2), "dB".to_owned());
+        if summary.mean.psnr_fitted.is_some() {
+            add("With exposures fitted", score(summary.mean.psnr_fitted, 2), "dB".to_owned());
         }
-        add("Held-out SSIM", score(summary.ssim, 4), String::new());
+        add("Held-out SSIM", score(summary.mean.ssim, 4), String::new());
     }
     if summary.step > 0 {
         let all = format!("of {}", grouped(u64::from(run.config.run.steps)));
@@ -82,7 +82,7 @@ fn header(run: &Run) -> Markup {
                     div { dt { (name) } dd { (value) @if !unit.is_empty() { " " small { (unit) } } } }
                 } }
             }
-            @if last > summary.step && summary.psnr.is_some() {
+            @if last > summary.step && summary.mean.psnr.is_some() {
                 p.quiet {
                     "These numbers are of the last evaluation. Training went on to step " (grouped(last)) "."
                 }
@@ -196,23 +196,20 @@ fn titles<const N: usize>(titles: [&str; N]) -> Vec<String> {
 fn scores(evaluations: &[Evaluation<'_>]) -> Markup {
     let Some(last) = evaluations.last() else { return Markup::default() };
     // a run that learns exposures also has scores with exposures fitted
-    let scores = if last.psnr_fitted.is_some() { 3 } else { 2 };
+    let scores = if last.mean.psnr_fitted.is_some() { 3 } else { 2 };
     let heads = |first: &[&str]| {
         let all = [first, &["PSNR, dB", "SSIM", "PSNR with exposures fitted, dB"]].concat();
         all.into_iter().take(first.len() + scores).map(str::to_owned).collect::<Vec<_>>()
     };
-    let row = |mut cells: Vec<String>, psnr, ssim, fitted| {
-        cells.extend([score(psnr, 2), score(ssim, 4), score(fitted, 2)].into_iter().take(scores));
+    let row = |mut cells: Vec<String>, found: &Score| {
+        let all = [(found.psnr, 2), (found.ssim, 4), (found.psnr_fitted, 2)];
+        cells.extend(all.into_iter().take(scores).map(|(value, digits)| score(value, digits)));
         cells
     };
-    let mean = |one: &Evaluation<'_>| {
-        let first = vec![grouped(one.step), duration(one.seconds)];
-        row(first, one.psnr, one.ssim, one.psnr_fitted)
-    };
+    let mean =
+        |one: &Evaluation<'_>| row(vec![grouped(one.step), duration(one.seconds)], &one.mean);
     let means: Vec<_> = thinned(evaluations.to_vec(), MAX_ROWS).iter().map(mean).collect();
-    let view = |ViewScore { name, score }: &ViewScore| {
-        row(vec![name.clone()], score.psnr, score.ssim, score.psnr_fitted)
-    };
+    let view = |view: &ViewScore| row(vec![view.name.clone()], &view.score);
     let views: Vec<_> = last.views.iter().map(view).collect();
     section(
         "Scores",

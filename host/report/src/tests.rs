@@ -50,10 +50,7 @@ fn evaluation(step: u64, names: &[&str]) -> Record {
     };
     let view = |name: &&str| ViewScore { name: (*name).to_owned(), score };
     let views = names.iter().map(view).collect();
-    let psnr = score.psnr;
-    let ssim = score.ssim;
-    let seconds = 0.38 * step as f64;
-    Record::Evaluation { step, seconds, psnr, ssim, psnr_fitted: None, views }
+    Record::Evaluation { step, seconds: 0.38 * step as f64, mean: score, views }
 }
 
 /// 1500 steps of 2000, three evaluations.
@@ -312,8 +309,8 @@ fn scores_with_exposures_fitted_are_shown_where_a_run_has_them() {
     let page = elements(&single::html(&run(&folder.path().join("without"), "", &records)));
     assert!(!texts(&page, "th").contains(&title));
     for record in &mut records {
-        if let Record::Evaluation { views, psnr_fitted, .. } = record {
-            *psnr_fitted = Some(30.5);
+        if let Record::Evaluation { views, mean, .. } = record {
+            mean.psnr_fitted = Some(30.5);
             views.iter_mut().for_each(|view| view.score.psnr_fitted = Some(31.256));
         }
     }

@@ -93,8 +93,8 @@ fn result((name, run): &(String, Run)) -> serde_json::Value {
     let summary = run.summary();
     json!({
         "run": name,
-        "psnr": summary.psnr,
-        "ssim": summary.ssim,
+        "psnr": summary.mean.psnr,
+        "ssim": summary.mean.ssim,
         "step": summary.step,
         "seconds": summary.seconds,
         "gaussians": summary.gaussians,
@@ -108,8 +108,8 @@ fn as_text(runs: &[(String, Run)]) -> String {
         let summary = run.summary();
         results.row([
             name.clone(),
-            score(summary.psnr, 2),
-            score(summary.ssim, 4),
+            score(summary.mean.psnr, 2),
+            score(summary.mean.ssim, 4),
             grouped(summary.step),
             format!("{:.1}", summary.seconds),
             summary.gaussians.map_or_else(|| "-".to_owned(), grouped),

@@ -65,13 +65,9 @@ pub enum Record {
         step: u64,
         /// Seconds of training so far, including those before a resume.
         seconds: f64,
-        /// The mean PSNR over the views, in decibels.
-        psnr: Option<f64>,
-        /// The mean SSIM over the views.
-        ssim: Option<f64>,
-        /// The mean of [`Score::psnr_fitted`](crate::evaluate::Score::psnr_fitted), if the run learns exposures.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        psnr_fitted: Option<f64>,
+        /// Means over the views.
+        #[serde(flatten)]
+        mean: Score,
         /// Scores of each view.
         views: Vec<ViewScore>,
     },
@@ -141,9 +137,8 @@ impl Record {
     /// The record of an evaluation after `step` steps and `seconds` of training.
     #[must_use]
     pub fn evaluation(step: u64, seconds: f64, evaluation: &Evaluation) -> Self {
-        let Score { psnr, ssim, psnr_fitted, .. } = evaluation.mean;
         let views = evaluation.views.clone();
-        Self::Evaluation { step, seconds, psnr, ssim, psnr_fitted, views }
+        Self::Evaluation { step, seconds, mean: evaluation.mean, views }
     }
 
     /// Number of optimizer steps so far.

@@ -89,7 +89,7 @@ fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
     let line = format!(" dB, {fitted:.2} dB after each photograph's exposure is fitted, SSIM ");
     assert!(resumed.stderr.contains(&line), "{}", resumed.stderr);
     assert!(records(&sandbox.path("cut")).iter().any(|record| {
-        matches!(record, Record::Evaluation { psnr_fitted, .. } if *psnr_fitted == Some(fitted))
+        matches!(record, Record::Evaluation { mean, .. } if mean.psnr_fitted == Some(fitted))
     }));
     let expected = bits(&sandbox, "whole");
     assert!(expected["train.exposure"].1.iter().any(|&bits| bits << 1 != 0));

@@ -232,7 +232,9 @@ pub fn records(folder: &Path) -> Vec<Record> {
 #[track_caller]
 pub fn evaluations(sandbox: &Sandbox, run: &str) -> Vec<(u64, f64, Vec<ViewScore>)> {
     let evaluation = |record| match record {
-        Record::Evaluation { step, psnr, views, .. } => Some((step, psnr.expect("a score"), views)),
+        Record::Evaluation { step, mean, views, .. } => {
+            Some((step, mean.psnr.expect("a score"), views))
+        }
         _ => None,
     };
     records(&sandbox.path(run)).into_iter().filter_map(evaluation).collect()
@@ -244,8 +246,8 @@ pub fn without_times(records: &[Record]) -> Vec<String> {
         Record::Step { step, loss, l1, ssim, psnr, gaussians, rates, .. } => {
             Some(format!("step {step} {loss} {l1} {ssim} {psnr} {gaussians} {rates:?}"))
         }
-        Record::Evaluation { step, psnr, ssim, views, .. } => {
-            Some(format!("evaluation {step} {psnr:?} {ssim:?} {views:?}"))
+        Record::Evaluation { step, mean, views, .. } => {
+            Some(format!("evaluation {step} {mean:?} {views:?}"))
         }
         Record::Densification { .. } | Record::Change(_) => Some(format!("{record:?}")),
         Record::Session { .. } | Record::Timing { .. } => None,

@@ -7,6 +7,7 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use organza::error;
+use organza::evaluate::Score;
 use organza::train::{CHECKPOINT, CONFIG, Event, Outcome, REPORT, TrainConfig};
 use organza::{Error, Result};
 use serde::Serialize;
@@ -172,11 +173,9 @@ struct Ended {
     step: u32,
     seconds: Option<f64>,
     gaussians: Option<usize>,
-    /// Score of the last evaluation.
-    psnr: Option<f64>,
-    ssim: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    psnr_fitted: Option<f64>,
+    /// Scores of the last evaluation.
+    #[serde(flatten)]
+    mean: Score,
 }
 
 impl Ended {
@@ -188,11 +187,7 @@ impl Ended {
                 self.seconds = Some(*seconds);
                 self.gaussians = Some(*gaussians);
             }
-            Event::Evaluated(evaluation) => {
-                self.psnr = evaluation.mean.psnr;
-                self.ssim = evaluation.mean.ssim;
-                self.psnr_fitted = evaluation.mean.psnr_fitted;
-            }
+            Event::Evaluated(evaluation) => self.mean = evaluation.mean,
             _ => {}
         }
     }

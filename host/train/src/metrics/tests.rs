@@ -74,7 +74,10 @@ fn records_are_lines_of_json() {
     let expected = [&session(0), &step(1), &densification(3), &timing(3)];
     assert_eq!([&records[0], &records[1], &records[3], &records[4]], expected);
     assert_eq!(records[5], change(3));
-    assert!(matches!(&records[2], Record::Evaluation { psnr: None, ssim: Some(0.5), .. }));
+    assert!(matches!(
+        &records[2],
+        Record::Evaluation { mean: Score { psnr: None, ssim: Some(0.5), .. }, .. }
+    ));
 }
 
 #[test]

@@ -55,7 +55,7 @@ impl Reporter {
     /// [`Error::WriteFile`](organza_core::Error::WriteFile); after the log is complete, errors of [`Run::load`], too.
     pub fn see(&mut self, event: &Event<'_>) -> Result<()> {
         match event {
-            Event::Opened { step, .. } => self.pictures.begin(*step),
+            Event::Opened(step) => self.pictures.begin(*step),
             Event::FirstView(image) => self.pictures.write_first(image),
             Event::View { index, step, frame, image } => {
                 self.step = *step;

@@ -8,7 +8,6 @@ mod state;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::metrics::Record;
 use super::start::StartNote;
 use crate::{Change, Evaluation, RunFolder, StepReport, TrainConfig};
 use organza_core::ranks::Ranks;
@@ -90,13 +89,9 @@ pub enum Event<'a> {
     Begin(u32),
     /// A setting has a different value than before the resume.
     Changed(&'a Change),
-    /// The settings and the log are written. Other records of the run now continue, or begin anew.
-    Opened {
-        /// Steps so far. Nothing of a later step is left in the folder.
-        step: u64,
-        /// Whether the folder's run is continued.
-        resume: bool,
-    },
+    /// The settings and the log are written, and hold nothing of a later step than this one. Other records of the run now continue, or
+    /// begin anew.
+    Opened(u64),
     /// The number of steps was chosen again.
     Scheduled(u32),
     /// A step is done.
@@ -112,8 +107,6 @@ pub enum Event<'a> {
         /// The scene on the device, which can be [some steps](Session::ahead) newer.
         scene: &'a DeviceScene,
     },
-    /// The log has a new record.
-    Logged(&'a Record),
     /// The first held-out view, as the scene shows it before the first step.
     FirstView(&'a Image),
     /// Held-out views are being measured.

@@ -63,7 +63,7 @@ impl Session<'_> {
         changed.iter().try_for_each(|change| watch(Event::Changed(change)))?;
         let step = u64::from(progress.step);
         let OpenLog { log, evaluated, best } = self.open_log(resume, step, &changed)?;
-        watch(Event::Opened { step, resume })?;
+        watch(Event::Opened(step))?;
         let _ = self.renderer.device().take_timings();
         SessionState {
             session: self,

@@ -131,7 +131,7 @@ impl SessionState<'_, '_, '_> {
         }
         let session = SessionInfo::now(self.session.command.clone(), &device);
         let step = u64::from(self.trainer.steps());
-        self.record(&Record::Session { step, session })?;
+        self.log.append(&Record::Session { step, session })?;
         if step > 0 {
             return Ok(());
         }
@@ -196,7 +196,7 @@ impl SessionState<'_, '_, '_> {
         self.since.0 += report.tiles;
         let numbers = (u64::from(step), gaussians as u64);
         if let Some(densified) = report.densified {
-            self.record(&Record::Densification {
+            self.log.append(&Record::Densification {
                 step: numbers.0,
                 split: u64::from(densified.split),
                 pruned: u64::from(densified.pruned),
@@ -206,7 +206,7 @@ impl SessionState<'_, '_, '_> {
         if step.is_multiple_of(self.trainer.config().run.log_every) {
             let (tiles, then) = std::mem::replace(&mut self.since, (0, self.seconds));
             let rates = self.rates(step);
-            self.record(&Record::Step {
+            self.log.append(&Record::Step {
                 step: numbers.0,
                 seconds: self.seconds,
                 loss: report.loss,
@@ -296,7 +296,7 @@ impl SessionState<'_, '_, '_> {
         }
         let before = self.evaluated.replace((step, frames.len()));
         if before.is_none_or(|(at, views)| at != step || views < frames.len()) {
-            self.record(&Record::evaluation(step, self.seconds, &evaluation))?;
+            self.log.append(&Record::evaluation(step, self.seconds, &evaluation))?;
         }
         (self.watch)(Event::Evaluated(&evaluation))?;
         if let Some(scheduler) = &mut self.scheduler {
@@ -315,12 +315,6 @@ impl SessionState<'_, '_, '_> {
         (self.watch)(Event::Complete)
     }
 
-    /// Adds a record to the log.
-    fn record(&mut self, record: &Record) -> Result<()> {
-        self.log.append(record)?;
-        (self.watch)(Event::Logged(record))
-    }
-
     /// Logs the time of each stage in this session, longest first.
     fn timing(&mut self) -> Result<()> {
         // kernels are not timed on a GPU
@@ -335,6 +329,6 @@ impl SessionState<'_, '_, '_> {
         };
         let mut rows: Vec<_> = self.stages.iter().map(row).collect();
         rows.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
-        self.record(&Record::Timing { step: u64::from(self.trainer.steps()), rows })
+        self.log.append(&Record::Timing { step: u64::from(self.trainer.steps()), rows })
     }
 }

@@ -104,9 +104,14 @@ impl RankGroup {
         Ok(())
     }
 
-    /// The way in which ranks choose their devices.
-    pub fn places(&self) -> Places {
-        Places { is_mpi: self.is_mpi, size: self.mine.size() }
+    /// The device of a rank: threads share the cores, and ranks on one machine share its GPUs.
+    pub fn device(&self, options: DeviceOptions, rank: usize) -> DeviceOptions {
+        if self.is_mpi {
+            return options.place(local_rank().unwrap_or(rank));
+        }
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let threads = options.threads.unwrap_or((cores / self.mine.size()).max(1));
+        options.threads(threads).place(rank)
     }
 
     /// The work of an MPI process other than the first: it reads the photographs and follows rank 0.
@@ -122,31 +127,12 @@ impl RankGroup {
                 serde_json::from_slice(&ranks.broadcast(Vec::new())?).expect("rank 0 wrote it");
             let console = Console::QUIET;
             let data = DataSet::open(config.data, placement, console)?;
-            let options = self.places().device(device.options()?, ranks.rank());
+            let options = self.device(device.options()?, ranks.rank());
             let renderer = device.open_as(&options, console)?;
             let dataset = Arc::new(data.read(&renderer, console)?);
             train::follow(&renderer, &dataset, ranks, self.mixed, None)
         };
         follow().inspect_err(|error| ranks.fail(&error::chain(error)))
-    }
-}
-
-/// The way in which ranks choose their devices.
-#[derive(Clone, Copy, Debug)]
-pub struct Places {
-    is_mpi: bool,
-    size: usize,
-}
-
-impl Places {
-    /// The device of a rank: threads share the cores, and ranks on one machine share its GPUs.
-    pub fn device(self, options: DeviceOptions, rank: usize) -> DeviceOptions {
-        if self.is_mpi {
-            return options.place(local_rank().unwrap_or(rank));
-        }
-        let cores = thread::available_parallelism().map_or(1, usize::from);
-        let threads = options.threads.unwrap_or((cores / self.size).max(1));
-        options.threads(threads).place(rank)
     }
 }
 

@@ -109,30 +109,18 @@ impl Photographs for StepPhotographs<'_> {
         let mut own = Vec::new();
         for (place, tile) in tiles.enumerate() {
             let photograph = &self.frames[tile.camera].image;
-            match resident.places.get(tile.camera) {
-                Some(&(page, first)) => on_pages[page].push(TargetTile {
-                    first,
-                    width: photograph.width(),
-                    height: photograph.height(),
-                    x: tile.origin[0],
-                    y: tile.origin[1],
-                    place: place as u32,
-                }),
-                None => {
-                    let length = side * self.factor;
-                    let first = own.len() as u32;
-                    let place = place as u32;
-                    on_own.push(TargetTile {
-                        first,
-                        width: length,
-                        height: length,
-                        x: 0,
-                        y: 0,
-                        place,
-                    });
-                    square(photograph, &tile, self.factor, length, &mut own);
-                }
+            let place = place as u32;
+            if let Some(&(page, first)) = resident.places.get(tile.camera) {
+                let [x, y] = tile.origin;
+                let width = photograph.width();
+                let height = photograph.height();
+                on_pages[page].push(TargetTile { first, width, height, x, y, place });
+                continue;
             }
+            let side = side * self.factor;
+            let first = own.len() as u32;
+            on_own.push(TargetTile { first, width: side, height: side, x: 0, y: 0, place });
+            square(photograph, &tile, self.factor, side, &mut own);
         }
         let own = match own.is_empty() {
             true => None,

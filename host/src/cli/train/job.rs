@@ -124,12 +124,11 @@ impl TrainJob<'_> {
         let folder =
             folder.map_err(|error| if self.group.is_none() { of_many(error) } else { error })?;
         let options = device.options()?;
-        let places = self.group.as_ref().map(RankGroup::places);
-        let of_rank = |rank| match places {
-            Some(places) => places.device(options.clone(), rank),
+        let mine = match &self.group {
+            Some(group) => group.device(options.clone(), 0),
             None => options.clone(),
         };
-        let renderer = device.open_as(&of_rank(0), console)?;
+        let renderer = device.open_as(&mine, console)?;
         if self.shrinks {
             self.shrink(&mut data, &renderer, console)?;
         }
@@ -145,9 +144,11 @@ impl TrainJob<'_> {
         session.stop = signals.stop();
         let mut others = Vec::new();
         if let Some(group) = self.group.take() {
+            let device_of = |rank| group.device(options.clone(), rank);
+            let devices: Vec<_> = (1..=group.others.len()).map(device_of).collect();
+            others = devices.into_iter().zip(group.others).collect();
             session.ranks = Some(group.mine);
             session.mixed = group.mixed;
-            others = group.others.into_iter().zip((1..).map(of_rank)).collect();
         }
         let view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
@@ -203,7 +204,7 @@ impl Listeners<'_, '_> {
 /// Runs a session, and the other ranks on threads of their own, each with its device.
 fn run_with(
     session: Session<'_>,
-    others: Vec<(ThreadRanks, DeviceOptions)>,
+    others: Vec<(DeviceOptions, ThreadRanks)>,
     resume: bool,
     see: &mut Watch<'_>,
 ) -> Result<Outcome> {
@@ -212,7 +213,7 @@ fn run_with(
     thread::scope(|scope| {
         // the session ends before the threads are joined, because its end also ends them
         let session = session;
-        for (ranks, options) in others {
+        for (options, ranks) in others {
             scope.spawn(move || follow_thread(ranks, &options, dataset, mixed));
         }
         session.run(resume, see)

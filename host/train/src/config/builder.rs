@@ -188,7 +188,12 @@ impl TrainConfig {
         for (name, value) in ["red", "green", "blue"].iter().zip(self.data.background.color()) {
             within(&format!("data.background, {name},"), value, 0.0..=1.0)?;
         }
-        self.check_together()?;
+        if self.data.hold_out_every == 1 {
+            let reason = "`data.hold_out_every` is 1, which leaves nothing to train on; expected 2 or more, or 0 to hold no \
+                          frame out";
+            return Err(reason.to_owned());
+        }
+        self.check_schedule()?;
         self.check_scene()?;
         self.optimizer.check_rates()
     }
@@ -215,20 +220,6 @@ impl TrainConfig {
         within("start.gaussians", gaussians, 1..=max)
     }
 
-    /// Checks values that constrain each other.
-    fn check_together(&self) -> Result<(), String> {
-        if self.data.hold_out_every == 1 {
-            return Err(
-                "`data.hold_out_every` is 1, which leaves nothing to train on; expected 2 or \
-                        more, or 0 to hold no frame out"
-                    .to_owned(),
-            );
-        }
-        self.check_schedule()
-    }
-}
-
-impl TrainConfig {
     /// Checks that a run could have made this schedule.
     fn check_schedule(&self) -> Result<(), String> {
         let schedule = &self.run.schedule;

@@ -212,10 +212,12 @@ def test_control_c_keeps_the_old_file(tmp_path):
     code = f"""
 import os, signal, threading
 import organza
+# a shell that starts this in the background ignores Ctrl-C
+signal.signal(signal.SIGINT, signal.default_int_handler)
 renderer, scene = organza.Renderer("cpu", threads=1), organza.Scene.built_in()
-threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
 try:
-    organza.export(scene, {str(path)!r}, organza.Cameras.turntable(2, 16), steps=3, side=16, renderer=renderer)
+    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+    organza.export(scene, {str(path)!r}, organza.Cameras.turntable(2, 16), steps=10000, side=16, renderer=renderer)
 except KeyboardInterrupt:
     print("interrupted")
 """

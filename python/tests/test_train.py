@@ -163,6 +163,8 @@ def test_control_c_saves_a_run(tmp_path):
     code = f"""
 import os, signal
 import organza
+# a shell that starts this in the background ignores Ctrl-C
+signal.signal(signal.SIGINT, signal.default_int_handler)
 settings = {json.dumps(SMALL | {"run.steps": 100000, "run.checkpoint_every": 100000, "run.evaluate_every": 0})}
 config = organza.TrainConfig("built-in", settings=settings)
 try:

@@ -95,12 +95,13 @@ fn only_gaussians_in_no_view_are_removed() {
 /// Number of floaters that [`plant_floaters`] plants.
 const FLOATERS: usize = 200;
 
-/// Plants floaters in the air before cameras all around the built-in scene, whose photographs are in `demo`. Returns all
-/// Gaussians of `planted.safetensors`; the floaters are the last ones.
-pub fn plant_floaters(sandbox: &Sandbox) -> Gaussians {
-    sandbox.run("demo -o demo --views 24 --size 64 --backend cpu").assert_ok();
-    sandbox.copy_file("demo/scene.safetensors", "scene.safetensors");
+/// Plants floaters in the air before cameras all around a scene, whose photographs are in `demo`. Returns all Gaussians of
+/// `planted.safetensors`; the floaters are the last ones.
+pub fn plant_floaters(sandbox: &Sandbox, scene: &Scene) -> Gaussians {
+    scene.save(sandbox.path("scene.safetensors")).expect("it is written");
     let mut cameras = organza::demo::turntable(24, 64);
+    Camera::save_all(sandbox.path("cameras.json"), &cameras).expect("cameras");
+    sandbox.run("render scene.safetensors cameras.json -o demo --backend cpu").assert_ok();
     for (index, camera) in cameras.iter_mut().enumerate() {
         camera.file_path = Some(format!("{index:04}.png"));
     }
@@ -125,7 +126,7 @@ pub fn plant_floaters(sandbox: &Sandbox) -> Gaussians {
 #[test]
 fn planted_floaters_go() {
     let sandbox = Sandbox::new("tiny");
-    let all = plant_floaters(&sandbox);
+    let all = plant_floaters(&sandbox, &runs::built_in());
     let old = all.len() - FLOATERS;
     let psnr = |scene: &str| {
         let words = format!("eval {scene}.safetensors demo --backend cpu --json");

@@ -7,7 +7,6 @@ pub mod camera;
 pub mod demo;
 pub mod error;
 pub mod halves;
-mod hex;
 pub mod image;
 pub mod input;
 pub mod metrics;
@@ -21,7 +20,6 @@ pub use atomic_file::{
 };
 pub use camera::Camera;
 pub use error::{Error, Result};
-pub use hex::hex;
 pub use image::Image;
 pub use muslin_error::memory;
 pub use rendered::{Channel, RenderReport, RenderedTiles};

@@ -5,7 +5,7 @@ use sha2::{Digest as _, Sha256};
 
 use super::Point;
 use super::lens::{Lens, Reprojection};
-use organza_core::{Camera, hex};
+use organza_core::Camera;
 
 /// The first digits of the SHA-256 of a photograph's file and of its mask, if it has one.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -94,7 +94,7 @@ impl Fingerprint {
 
 /// The first digits of a hash. A few are enough: no one searches for a collision.
 fn digits(hash: Sha256, count: usize) -> String {
-    let mut digits = hex(hash);
+    let mut digits = format!("{:x}", hash.finalize());
     digits.truncate(count);
     digits
 }

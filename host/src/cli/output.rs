@@ -9,7 +9,6 @@ use organza::splats::Format;
 use organza::train::FolderLock;
 use organza::train::{self, CONFIG};
 use organza::{Error, Result};
-use organza_core::hex;
 use organza_core::input::has_extension;
 use sha2::{Digest, Sha256};
 
@@ -180,7 +179,7 @@ pub fn made_of(scene: &Path, how: &dyn Debug) -> Result<String> {
         .and_then(|mut file| io::copy(&mut file, &mut hash))
         .map_err(|error| Error::read(scene, error))?;
     hash.update(format!("{how:?} {}", env!("CARGO_PKG_VERSION")));
-    Ok(hex(hash))
+    Ok(format!("{:x}", hash.finalize()))
 }
 
 /// The visible files of a folder.

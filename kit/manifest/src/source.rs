@@ -6,7 +6,7 @@ use std::{env, fs};
 
 use sha2::{Digest, Sha256};
 
-use crate::{Error, Manifest, hex};
+use crate::{Error, Manifest};
 
 /// Packages whose code or whose compiler influences the SPIR-V: with another version, the same sources may give other
 /// modules.
@@ -45,7 +45,7 @@ pub fn source_hash(workspace: &Path, folders: &[String]) -> Result<String, Error
     for package in COMPILED_IN {
         hash.update(format!("package {package} {}\n", locked_version(&lock, package)?));
     }
-    Ok(hex(hash.finalize().as_slice()))
+    Ok(format!("{:x}", hash.finalize()))
 }
 
 /// The version of a package in a `Cargo.lock`; all of them if several are locked.

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use organza::data::LLFF;
 use organza::{Error, Result};
-use organza_core::{hex, write_inside};
+use organza_core::write_inside;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -215,7 +215,7 @@ fn named(folder: &Path) -> String {
 fn key(source: &Source<'_>, args: &Args) -> Result<String> {
     let Args { frames, side, matcher, camera_model, .. } = args;
     let options = format!("{frames} {side} {matcher:?} {camera_model:?}");
-    Ok(hex(Sha256::new_with_prefix(source.content()? + &options)))
+    Ok(format!("{:x}", Sha256::digest(source.content()? + &options)))
 }
 
 /// The data set in a folder, if it is whole and made from the same inputs. Another one is an error.

@@ -6,7 +6,6 @@ use std::{fs, io};
 
 use organza::data::{equal_pairs, there_twice};
 use organza::{Error, Result};
-use organza_core::hex;
 use organza_core::input::{has_extension, open_regular, read_file};
 use sha2::{Digest, Sha256};
 
@@ -126,7 +125,8 @@ impl<'a> Source<'a> {
             ));
         }
         let read = |(path, name): (PathBuf, String)| {
-            let digest = hex(Sha256::new_with_prefix(read_file(&path, u64::MAX, "a photograph")?));
+            let bytes = read_file(&path, u64::MAX, "a photograph")?;
+            let digest = format!("{:x}", Sha256::digest(bytes));
             Ok(Photograph { path, name, digest })
         };
         let mut photographs = files.into_iter().map(read).collect::<Result<Vec<_>>>()?;
@@ -172,7 +172,7 @@ impl<'a> Source<'a> {
                 }
             }
         }
-        Ok(hex(hash))
+        Ok(format!("{:x}", hash.finalize()))
     }
 
     /// What to say if photographs are equal.

@@ -122,12 +122,6 @@ impl ThreadRanks {
         }
         Ok(())
     }
-
-    fn end(&self, message: &str) {
-        let mut state = self.lock();
-        state.failed.get_or_insert_with(|| (self.rank, message.to_owned()));
-        self.shared.changed.notify_all();
-    }
 }
 
 impl Ranks for ThreadRanks {
@@ -168,14 +162,16 @@ impl Ranks for ThreadRanks {
     }
 
     fn fail(&self, message: &str) {
-        self.end(message);
+        let mut state = self.lock();
+        state.failed.get_or_insert_with(|| (self.rank, message.to_owned()));
+        self.shared.changed.notify_all();
     }
 }
 
 /// A rank that ends counts as failed, even after a panic, so that no other rank waits for it.
 impl Drop for ThreadRanks {
     fn drop(&mut self) {
-        self.end("it has ended");
+        self.fail("it has ended");
     }
 }
 

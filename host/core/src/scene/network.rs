@@ -65,17 +65,3 @@ impl Layer {
         Self { weight: vec![0.0; inputs * outputs], bias: vec![0.0; outputs], inputs, outputs }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn zeros_have_the_given_widths() {
-        let network = Network::zeros(&[5, 16, 8, 3]);
-        assert_eq!(network.widths(), [5, 16, 8, 3]);
-        let sizes: Vec<_> =
-            network.layers.iter().map(|layer| (layer.weight.len(), layer.bias.len())).collect();
-        assert_eq!(sizes, [(80, 16), (128, 8), (24, 3)]);
-    }
-}

@@ -198,14 +198,6 @@ fn batches_round_trip() {
 }
 
 #[test]
-fn expected_files_of_the_cases_are_read() {
-    let path = case_path("tiny").with_file_name("expected.safetensors");
-    let tensors = read_tensors(path).unwrap();
-    assert_eq!(tensors["tiles"].shape, [4, 3, 8, 8]);
-    assert_eq!(tensors["grad.color.grid"].data.len(), 1024);
-}
-
-#[test]
 fn large_and_faint_gaussians_far_away_do_not_count() {
     let mut position: Vec<_> = (0..200).map(|at| [at as f32 / 199.0, -1.0, 0.5]).collect();
     let mut log_scale = vec![[0.01_f32.ln(), -9.0, -9.0]; 200];

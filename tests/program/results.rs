@@ -153,6 +153,9 @@ fn the_demonstration_needs_no_files_and_makes_some() {
     assert!(read("images/0002.png") == read("demo/0002.png"));
     // again into its own folder, but not into another one
     sandbox.run(&format!("{demo} --views 1 --size 8")).assert_ok();
+    // suggested commands are quoted for a shell
+    let quoted = sandbox.run("demo -o it's --views 1 --size 8 --backend cpu");
+    quoted.assert_ok().says(&["organza info \"it's/scene.safetensors\""]);
     sandbox.copy_file("scene.safetensors", scene);
     sandbox.assert_refuses(demo, &["holds a scene.safetensors", "another folder"]);
 }

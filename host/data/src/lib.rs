@@ -75,7 +75,7 @@ pub struct Dataset {
     /// All frames, in the order of the file (nerfstudio), of the train file and then the test file (Blender), or of their
     /// names (COLMAP).
     pub frames: Vec<Frame>,
-    /// Indices of the frames to train on, ascending.
+    /// Indices of the frames to train on, ascending. A frame of which no pixel is valid is neither here nor held out.
     pub train: Vec<usize>,
     /// Indices of the held-out frames, ascending.
     pub held_out: Vec<usize>,

@@ -1,5 +1,7 @@
 //! `organza compare`: training runs side by side.
 
+use std::collections::HashSet;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use organza::Result;
@@ -35,9 +37,11 @@ pub struct Args {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut runs = Vec::new();
+    let mut seen = HashSet::new();
     for folder in &args.runs {
         let name = text_of(folder);
-        if runs.iter().any(|(other, _)| *other == name) {
+        // a folder may have several names
+        if !seen.insert(fs::canonicalize(folder).unwrap_or_else(|_| folder.clone())) {
             return refuse(format!("the run {name} is named twice"));
         }
         runs.push((name, Run::load(folder)?));

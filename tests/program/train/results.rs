@@ -75,7 +75,7 @@ fn runs_are_compared() {
         assert_eq!(json["runs"][at]["psnr"].as_f64(), Some(logged.1));
     }
     sandbox.assert_refuses("compare a", &["2 values", "RUN"]);
-    sandbox.assert_refuses("compare a a", &["a", "named twice"]);
+    sandbox.assert_refuses("compare a ./a/", &["./a/", "named twice"]);
     sandbox.assert_refuses("compare a nowhere", &["nowhere", "config.toml"]);
 }
 

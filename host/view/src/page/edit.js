@@ -77,11 +77,9 @@ export class Edit extends Tool {
   async clean() {
     if (this.cleaning) return;
     this.cleaning = true;
-    let asked, isDone = false;
-    while (!isDone) {
-      asked = this.strength;
-      const isGood = await this.ask({ clean: asked }), { seen, views } = this.answer.clean;
-      isDone = !isGood || (asked === this.strength && (seen === views || !asked));
+    for (let asked = this.strength; await this.ask({ clean: asked }); asked = this.strength) {
+      const { seen, views } = this.answer.clean;
+      if (asked === this.strength && (seen === views || !asked)) break;
     }
     this.cleaning = false;
   }

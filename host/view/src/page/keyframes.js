@@ -109,13 +109,14 @@ export class Keyframes {
 
   // The cameras of the path; the program has the arithmetic.
   async fetchPath() {
-    if (this.list.length < 2) return;
-    const list = this.list, request = this.request(), { loop } = request;
+    const request = (this.newest = this.list.length < 2 ? null : this.request());
+    if (!request) return;
     try {
       const { cameras } = await (await post("/path", request)).json();
-      if (this.list !== list || cameras.length === 0) return;
+      // the keyframes may have changed meanwhile
+      if (this.newest !== request || cameras.length === 0) return;
       this.path = cameras;
-      this.overlay.path = loop ? [...cameras, cameras[0]] : cameras;
+      this.overlay.path = request.loop ? [...cameras, cameras[0]] : cameras;
       this.overlay.draw();
     } catch (error) {
       $("message").hidden = false;

@@ -152,7 +152,7 @@ fn drawn(value: f64, scale: Scale) -> Number {
     if scale == Scale::Log && value <= 0.0 { Number(None) } else { value.into() }
 }
 
-/// At most `max` of the elements, evenly chosen, including the last.
+/// About `max` of the elements: every nth, and the last.
 pub(super) fn thinned<T>(all: Vec<T>, max: usize) -> Vec<T> {
     let every = all.len().div_ceil(max.max(1)).max(1);
     let last = all.len().saturating_sub(1);

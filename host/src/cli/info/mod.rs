@@ -5,6 +5,7 @@ mod splats;
 
 use std::collections::BTreeSet;
 use std::fmt;
+use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 
 use organza::data::{Pose, Poses};
@@ -76,16 +77,34 @@ fn and_more(all: usize) -> String {
     }
 }
 
-/// A file's size in bytes; 0 if the file has been removed meanwhile.
-fn file_bytes(path: &Path) -> u64 {
-    std::fs::metadata(path).map_or(0, |found| found.len())
+/// What is described.
+#[derive(Debug, Serialize)]
+pub struct FileInfo {
+    kind: &'static str,
+    file: String,
+    /// Size in bytes; `None` for a folder.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file_bytes: Option<u64>,
+}
+
+impl FileInfo {
+    pub fn new(kind: &'static str, path: &Path) -> Self {
+        let found = std::fs::metadata(path).ok().filter(Metadata::is_file);
+        Self { kind, file: text_of(path), file_bytes: found.map(|found| found.len()) }
+    }
+}
+
+impl fmt::Display for FileInfo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.file_bytes.map(|bytes| format!(", {}", format_bytes(bytes)));
+        write!(f, "{} {}{}", self.kind, self.file, size.unwrap_or_default())
+    }
 }
 
 #[derive(Debug, Serialize)]
 pub struct TileFile {
-    kind: &'static str,
-    file: String,
-    file_bytes: u64,
+    #[serde(flatten)]
+    file: FileInfo,
     side: u32,
     tiles: usize,
     output_shape: [usize; 4],
@@ -96,9 +115,7 @@ impl TileFile {
     pub fn new(path: &Path, batch: &TileBatch) -> Self {
         let output_shape = batch.output_shape();
         Self {
-            kind: "tiles",
-            file: text_of(path),
-            file_bytes: file_bytes(path),
+            file: FileInfo::new("tiles", path),
             side: batch.side,
             tiles: batch.tiles.len(),
             output_shape,
@@ -109,7 +126,7 @@ impl TileFile {
 
 impl fmt::Display for TileFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "tiles {}, {}\n", self.file, format_bytes(self.file_bytes))?;
+        writeln!(f, "{}\n", self.file)?;
         let side = self.side;
         let shape = self.output_shape;
         let bytes = format_bytes(self.output_bytes);
@@ -175,12 +192,13 @@ pub fn table(tensors: &[TensorInfo]) -> Table {
     table
 }
 
+const BATCH: &str = "rendered batch";
+
 /// A file of tensors that is no scene, such as a rendered batch.
 #[derive(Debug, Serialize)]
 pub struct TensorFile {
-    kind: &'static str,
-    file: String,
-    file_bytes: u64,
+    #[serde(flatten)]
+    file: FileInfo,
     tensors: Vec<TensorInfo>,
 }
 
@@ -190,23 +208,16 @@ impl TensorFile {
         let is_batch = |shape: &[usize]| matches!(shape, [_, 3, rows, columns] if rows == columns);
         let batch = tensors.get("tiles").is_some_and(|tensor| is_batch(&tensor.shape));
         let info = tensors.iter().map(|(name, t)| TensorInfo::new(name, &t.shape, &t.data));
-        Ok(Self {
-            kind: if batch { "rendered batch" } else { "tensors" },
-            file: text_of(path),
-            file_bytes: file_bytes(path),
-            tensors: info.collect(),
-        })
+        let kind = if batch { BATCH } else { "tensors" };
+        Ok(Self { file: FileInfo::new(kind, path), tensors: info.collect() })
     }
 }
 
 impl fmt::Display for TensorFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kind = self.kind;
-        let file = &self.file;
-        let size = format_bytes(self.file_bytes);
-        writeln!(f, "{kind} {file}, {size}")?;
+        writeln!(f, "{}", self.file)?;
         let tiles = self.tensors.iter().find(|tensor| tensor.name == "tiles");
-        if let (Some(tiles), "rendered batch") = (tiles, kind) {
+        if let Some(tiles) = tiles.filter(|_| self.file.kind == BATCH) {
             let side = tiles.shape[2];
             writeln!(f, "\n{} of {side} x {side}", count(tiles.shape[0] as u64, "tile"))?;
         }
@@ -216,10 +227,8 @@ impl fmt::Display for TensorFile {
 
 #[derive(Debug, Serialize)]
 pub struct CameraFile {
-    kind: &'static str,
-    file: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    file_bytes: Option<u64>,
+    #[serde(flatten)]
+    file: FileInfo,
     /// The format of a data set; `None` for other files.
     #[serde(skip_serializing_if = "Option::is_none")]
     format: Option<String>,
@@ -267,9 +276,7 @@ impl From<&Camera> for CameraInfo {
 impl CameraFile {
     pub fn new(path: &Path, cameras: &[Camera]) -> Self {
         Self {
-            kind: "cameras",
-            file: text_of(path),
-            file_bytes: Some(file_bytes(path)),
+            file: FileInfo::new("cameras", path),
             format: None,
             missing: None,
             notes: None,
@@ -289,9 +296,7 @@ impl CameraFile {
         };
         let cameras = poses.cameras()?.into_iter().map(info).collect();
         Ok(Self {
-            kind: "data set",
-            file: text_of(path),
-            file_bytes: None,
+            file: FileInfo::new("data set", path),
             format: Some(poses.dataset.kind.to_string()),
             missing: Some(poses.dataset.missing.iter().map(|file| text_of(file)).collect()),
             notes: Some(poses.dataset.notes),
@@ -302,9 +307,8 @@ impl CameraFile {
 
 impl fmt::Display for CameraFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let size = self.file_bytes.map(format_bytes);
-        let what = size.iter().chain(&self.format).cloned().collect::<Vec<_>>().join(", ");
-        writeln!(f, "{} {}, {what}\n", self.kind, self.file)?;
+        let format = self.format.as_ref().map(|format| format!(", {format}"));
+        writeln!(f, "{}{}\n", self.file, format.unwrap_or_default())?;
         let sizes: BTreeSet<_> = self.cameras.iter().map(|c| (c.width, c.height)).collect();
         let sizes: Vec<_> = sizes.iter().take(4).map(|(w, h)| format!("{w} x {h}")).collect();
         writeln!(f, "{} of {}", count(self.cameras.len() as u64, "view"), sizes.join(", "))?;

@@ -10,15 +10,13 @@ use organza::scene::{
 use organza::{DeviceScene, Result, Scene};
 use serde::Serialize;
 
-use super::{TensorInfo, table};
+use super::{FileInfo, TensorInfo, table};
 use crate::cli::summary::{Table, count, grouped};
-use crate::cli::text_of;
 
 #[derive(Debug, Serialize)]
 pub struct SceneInfo {
-    kind: &'static str,
-    file: String,
-    file_bytes: u64,
+    #[serde(flatten)]
+    file: FileInfo,
     gaussians: usize,
     values: usize,
     device_bytes: u64,
@@ -41,9 +39,7 @@ impl SceneInfo {
         let info =
             |(spec, data): &(TensorSpec, &[f32])| TensorInfo::new(&spec.name, &spec.shape, data);
         Ok(Self {
-            kind: "scene",
-            file: text_of(path),
-            file_bytes: super::file_bytes(path),
+            file: FileInfo::new("scene", path),
             gaussians: scene.gaussians.len(),
             values: tensors.iter().map(|(_, data)| data.len()).sum(),
             device_bytes: DeviceScene::bytes_of(scene),
@@ -67,7 +63,7 @@ fn is_state(name: &str) -> bool {
 
 impl fmt::Display for SceneInfo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "scene {}, {}\n", self.file, format_bytes(self.file_bytes))?;
+        writeln!(f, "{}\n", self.file)?;
         self.write_summary(f)?;
         write!(f, "\n{}", table(&self.tensors))?;
         let color = &self.config.color_grid;

@@ -4,22 +4,17 @@ use std::fmt;
 use std::path::Path;
 
 use organza::Result;
-use organza::error::format_bytes;
 use organza::scene::Placement;
 use organza::splats::{self, Splat, SplatFile};
 use serde::Serialize;
 
-use super::{TensorInfo, table};
+use super::{FileInfo, TensorInfo, table};
 use crate::cli::summary::grouped;
-use crate::cli::text_of;
 
 #[derive(Debug, Serialize)]
 pub struct SplatInfo {
-    kind: &'static str,
-    file: String,
-    /// `None` for a folder.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    file_bytes: Option<u64>,
+    #[serde(flatten)]
+    file: FileInfo,
     format: &'static str,
     gaussians: usize,
     /// The largest degree of harmonics that are not all 0.
@@ -47,9 +42,7 @@ impl SplatInfo {
             })
         };
         Ok(Self {
-            kind: "Gaussians",
-            file: text_of(path),
-            file_bytes: path.is_file().then(|| super::file_bytes(path)),
+            file: FileInfo::new("Gaussians", path),
             format,
             gaussians: splats.len(),
             degree: (1..=3).rev().find(is_used).unwrap_or(0),
@@ -69,9 +62,7 @@ impl SplatInfo {
 
 impl fmt::Display for SplatInfo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let size =
-            self.file_bytes.map_or(String::new(), |bytes| format!(", {}", format_bytes(bytes)));
-        writeln!(f, "{} {}, {}{size}\n", self.kind, self.file, self.format)?;
+        writeln!(f, "{}, {}\n", self.file, self.format)?;
         let [lo, hi] = self.corners;
         let placed = self.placement.map_or_else(
             || "not said by the file".to_owned(),

@@ -9,31 +9,7 @@ use organza_core::error::Result;
 use organza_train::{Event, REPORT, RunFolder};
 
 /// Keeps what there is to see of a run in its folder: `report.html` with its pictures. It makes them of the
-/// [events](Event) of a [`Session`](organza_train::Session).
-///
-/// ```
-/// use std::sync::Arc;
-///
-/// use muslin_device::DeviceOptions;
-/// use organza_render::Renderer;
-/// use organza_report::Reporter;
-/// use organza_train::{Outcome, RunFolder, Session, TrainConfig, built_in};
-///
-/// let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(None))?);
-/// let dataset = Arc::new(built_in::dataset(&renderer, 4, 32, 2)?);
-/// let mut config = TrainConfig::default();
-/// (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (2, 2, 16);
-/// config.start.gaussians = 100;
-///
-/// let path = tempfile::tempdir().expect("a folder");
-/// let folder = RunFolder::lock(path.path(), false)?;
-/// let session = Session::new(&renderer, &config, &dataset, &folder);
-/// let mut reporter = Reporter::new(&folder);
-/// let outcome = session.run(false, &mut |event| reporter.see(&event))?;
-/// assert_eq!(outcome, Outcome::Finished);
-/// assert!(path.path().join("report.html").exists());
-/// # Ok::<(), organza_core::Error>(())
-/// ```
+/// [events](Event) of a [`Session`](organza_train::Session): `session.run(false, &mut |event| reporter.see(&event))`.
 #[derive(Debug)]
 pub struct Reporter {
     folder: PathBuf,

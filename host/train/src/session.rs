@@ -28,7 +28,9 @@ use organza_render::{DeviceScene, Renderer};
 /// let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(None))?);
 /// let dataset = Arc::new(built_in::dataset(&renderer, 4, 32, 2)?);
 /// let mut config = TrainConfig::default();
-/// (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (2, 2, 16);
+/// config.run.steps = 2;
+/// config.run.tiles_per_step = 2;
+/// config.run.tile_size = 16;
 /// config.start.gaussians = 100;
 ///
 /// let path = tempfile::tempdir().expect("a folder");

@@ -212,8 +212,8 @@ impl Sandbox {
 
     fn prepare(&self, command: &mut Command) {
         command.current_dir(self.folder.path()).stdin(Stdio::null());
-        // Only developers need a backtrace. A server and a container have no folder for a desktop's sockets.
-        command.env_remove("RUST_BACKTRACE").env_remove("XDG_RUNTIME_DIR");
+        // Only developers need a backtrace, only desktops have a folder for sockets, and help must not be as wide as a terminal.
+        command.env_remove("RUST_BACKTRACE").env_remove("XDG_RUNTIME_DIR").env_remove("COLUMNS");
     }
 
     pub fn run(&self, words: &str) -> Outcome {

@@ -146,19 +146,17 @@ cat > "$last"
 mod signals {
     use super::*;
     use crate::sandbox::wait_until;
-    use crate::train::processes::{signal, start, wait_for_end};
+    use crate::train::processes::{end, signal, start};
 
     #[test]
     fn a_film_that_was_stopped_leaves_nothing_behind() {
         let sandbox = Sandbox::new("tiny");
         sandbox.write("film.png", "an older film");
         let before = sandbox.files();
-        let mut child = start(&sandbox, &format!("{FILM} --frames 9999 -o film.png"));
+        let child = start(&sandbox, &format!("{FILM} --frames 9999 -o film.png"));
         wait_until("a new file", || sandbox.files().len() > before.len());
         signal(&child, "TERM");
-        wait_for_end(&mut child);
-        let outcome = child.wait_with_output().unwrap();
-        Outcome::from(outcome).assert_refused(&["stopped by a signal"]);
+        end(child).assert_refused(&["stopped by a signal"]);
         assert!(before == sandbox.files());
     }
 }

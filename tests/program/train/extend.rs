@@ -1,12 +1,10 @@
 //! Runs that continue with more steps or more Gaussians.
 #![cfg(target_os = "linux")]
 
-use std::fs;
-
 use organza::train::metrics::Record;
-use organza::train::{Binding, CHECKPOINT, Change, METRICS, Progress, TrainConfig};
+use organza::train::{Binding, CHECKPOINT, Change, Progress, TrainConfig};
 
-use super::processes::start;
+use super::processes::{self, start};
 use super::runs::{TINY, assert_same, bits, records, sandbox, without_times};
 use crate::sandbox::{Sandbox, wait_until};
 
@@ -51,10 +49,9 @@ fn a_killed_extension_ends_with_the_same_bits() {
     assert!(records(&sandbox.path("run")).iter().any(is_late));
 
     // killed before its first checkpoint, and between two
-    let log = sandbox.path("killed").join(METRICS);
-    let checkpoint = sandbox.path("killed").join(CHECKPOINT);
-    let logged =
-        || fs::read_to_string(&log).unwrap_or_default().matches("\"kind\":\"step\"").count();
+    let killed = sandbox.path("killed");
+    let checkpoint = killed.join(CHECKPOINT);
+    let logged = || processes::steps(&killed);
     let saved = || Progress::load(&checkpoint).expect("a checkpoint").step as usize;
     let reached: [(u32, &dyn Fn() -> usize); 2] = [(1000, &logged), (1, &saved)];
     for (checkpoint_every, steps) in reached {

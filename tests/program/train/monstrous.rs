@@ -7,8 +7,16 @@ use super::runs::{photographs, sandbox};
 
 /// Address space of an ordinary machine with some memory in use, in KiB.
 const LIMIT: u32 = 6_000_000;
-/// Includes the program's start, on a slow and busy machine.
-pub const SOON: Duration = Duration::from_secs(30);
+
+/// Runs what must be refused soon. That includes the program's start, on a slow and busy machine.
+#[track_caller]
+pub fn soon<T>(what: &str, run: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = run();
+    let took = start.elapsed();
+    assert!(took < Duration::from_secs(30), "{what}: {took:?}");
+    result
+}
 
 /// The color grid with a replacement in it.
 fn grid(from: &str, to: &str) -> String {
@@ -51,11 +59,8 @@ fn monstrous_settings_are_refused_at_once() {
         // sizes that a file leaves out have their defaults
         sandbox.write("monster.toml", settings);
         let before = sandbox.files();
-        let start = Instant::now();
         let words = "train --config monster.toml --backend cpu -o new";
-        sandbox.run_within(LIMIT, words).assert_refused(&facts);
-        let took = start.elapsed();
-        assert!(took < SOON, "{settings}: {took:?}");
+        soon(settings, || sandbox.run_within(LIMIT, words)).assert_refused(&facts);
         assert!(before == sandbox.files(), "{settings} left {:?}", sandbox.files().keys());
     }
 }
@@ -78,9 +83,6 @@ fn monstrous_options_are_refused_at_once() {
         ),
         ("train -o new --backend cpu --steps 99999999999", ["99999999999", "--steps"]),
     ] {
-        let start = Instant::now();
-        sandbox.assert_refuses(words, &facts);
-        let took = start.elapsed();
-        assert!(took < SOON, "{words}: {took:?}");
+        soon(words, || sandbox.assert_refuses(words, &facts));
     }
 }

@@ -1,20 +1,13 @@
 //! Signals at any time.
 #![cfg(target_os = "linux")]
 
-use std::fs;
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
-use super::processes::{signal, start, wait_for_end};
+use super::processes::{end, signal, start, steps, wait_for_end};
 use super::runs::{BUILT_IN, TINY, add_views, sandbox};
-use crate::sandbox::{Outcome, wait_until};
-
-/// Waits for the program's end, which must come within a minute.
-fn end(mut child: Child) -> Outcome {
-    wait_for_end(&mut child);
-    child.wait_with_output().expect("it has ended").into()
-}
+use crate::sandbox::wait_until;
 
 /// Rendering the views would take many minutes.
 #[test]
@@ -52,8 +45,7 @@ fn a_signal_is_not_swallowed_where_standard_error_blocks() {
     wait_until("the folder is locked", || sandbox.path("run/.organza-lock").exists());
     thread::sleep(Duration::from_millis(500));
     signal(&child, "TERM");
-    wait_for_end(&mut child);
-    assert_eq!(child.wait().unwrap().code(), Some(2));
+    assert_eq!(wait_for_end(&mut child), Some(2));
     assert!(!sandbox.path("run").exists());
 }
 
@@ -64,10 +56,7 @@ fn a_signal_while_measuring_saves_and_stops() {
     add_views(&sandbox, 60);
     let words = format!("{TINY} run --steps 100000 --hold-out-every 2 --evaluate-every 1");
     let child = start(&sandbox, &words);
-    wait_until("a first step", || {
-        let text = fs::read_to_string(sandbox.path("run/metrics.jsonl")).unwrap_or_default();
-        text.contains("\"kind\":\"step\"")
-    });
+    wait_until("a first step", || steps(&sandbox.path("run")) > 0);
     signal(&child, "TERM");
     end(child).assert_ok().says(&["saved; `organza train --resume run`"]);
     assert!(sandbox.path("run/checkpoint.safetensors").exists());

@@ -128,6 +128,13 @@ pub fn connect(host: &str) -> io::Result<TcpStream> {
     Ok(stream)
 }
 
+/// Sends the head of a request, and returns the answer as text.
+pub fn answer(host: &str, head: &str) -> String {
+    let mut stream = connect(host).expect("it listens");
+    write!(stream, "{head}Connection: close\r\n\r\n").expect("a request");
+    io::read_to_string(stream).expect("an answer")
+}
+
 /// Like [`Viewer::send`].
 pub fn exchange(mut stream: TcpStream, bytes: &[u8]) -> Vec<u8> {
     let mut back = Vec::new();

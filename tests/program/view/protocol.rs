@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use organza_tests::cases;
 use serde_json::json;
 
-use super::client::{VIEW, Viewer, pixels};
+use super::client::{VIEW, Viewer, answer, pixels};
 use crate::sandbox::Sandbox;
 use crate::train::processes::{signal, wait_for_end};
 
@@ -58,26 +58,16 @@ fn every_address_needs_a_token() {
     let page = format!("/?token={}", viewer.token);
     let named = format!("Host: {}\r\n", viewer.host);
     for (path, lines) in [("/scene.json", &*named), (&*page, "")] {
-        let head = format!("GET {path} HTTP/1.1\r\n{lines}Connection: close\r\n\r\n");
         // no `send`: the server need not answer a client that has closed its side
-        let mut stream = viewer.connect();
-        stream.write_all(head.as_bytes()).unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
+        let answer = answer(&viewer.host, &format!("GET {path} HTTP/1.1\r\n{lines}"));
         assert!(answer.starts_with("HTTP/1.1 403"), "{answer:?}");
     }
     let mut viewer = Viewer::start(&sandbox, &format!("{VIEW} --bind 0.0.0.0"));
     let port = viewer.host.strip_prefix("0.0.0.0:").expect("an address");
     let token = &*viewer.token;
     let answer = |path: &str, more: &str| {
-        let mut stream = std::net::TcpStream::connect(format!("127.0.0.1:{port}")).unwrap();
-        let head = format!(
-            "GET {path} HTTP/1.1\r\nHost: machine:{port}\r\n{more}Connection: close\r\n\r\n"
-        );
-        stream.write_all(head.as_bytes()).unwrap();
-        let mut back = String::new();
-        stream.read_to_string(&mut back).unwrap();
-        back
+        let head = format!("GET {path} HTTP/1.1\r\nHost: machine:{port}\r\n{more}");
+        answer(&format!("127.0.0.1:{port}"), &head)
     };
     assert_eq!(token.len(), 32);
     for query in ["", "?token=", "?token=0", &format!("?token={}", &token[..31]), "?a=b"] {
@@ -271,10 +261,9 @@ fn a_signal_ends_it_at_once_and_well() {
         stream.write_all(b"GET / HTTP/1.1\r\n").unwrap();
         let begin = Instant::now();
         signal(&viewer.child, name);
-        wait_for_end(&mut viewer.child);
+        assert_eq!(wait_for_end(&mut viewer.child), Some(0), "SIG{name}");
         // the request may take 20 seconds to arrive
         assert!(begin.elapsed() < Duration::from_secs(15));
-        assert_eq!(viewer.child.wait().unwrap().code(), Some(0), "SIG{name}");
         let said = viewer.last_words();
         assert!(said.is_empty(), "{said:?}");
     }
@@ -296,11 +285,8 @@ fn clients_without_the_token_make_room() {
     let connect = |peer| TcpStream::connect((peer, port)).expect("the system accepts it");
     let greedy: Vec<_> = (0..300).flat_map(|_| [other, own].map(connect)).collect();
     thread::sleep(Duration::from_millis(300));
-    let mut stream = TcpStream::connect(format!("127.0.0.1:{port}")).expect("a connection");
-    let head = format!("GET /scene.json HTTP/1.1\r\n{}Connection: close\r\n\r\n", viewer.lines());
-    stream.write_all(head.as_bytes()).expect("a request");
-    let mut back = String::new();
-    stream.read_to_string(&mut back).expect("an answer");
+    let head = format!("GET /scene.json HTTP/1.1\r\n{}", viewer.lines());
+    let back = answer(&format!("127.0.0.1:{port}"), &head);
     assert!(back.starts_with("HTTP/1.1 200"), "{back}");
     drop(greedy);
 }

@@ -71,8 +71,7 @@ fn the_bits_do_not_depend_on_who_watches() {
             }
         });
     });
-    wait_for_end(&mut viewer.child);
-    assert_eq!(viewer.child.wait().unwrap().code(), Some(0));
+    assert_eq!(wait_for_end(&mut viewer.child), Some(0));
     assert_same("watched", &bits(&sandbox, "watched"), &bits(&sandbox, "alone"));
     let told = |run: &str| without_times(&records(&sandbox.path(run)));
     assert_eq!(told("watched"), told("alone"));
@@ -91,8 +90,7 @@ fn the_page_stops_a_training_as_ctrl_c_does() {
     let psnr: Vec<f64> = serde_json::from_value(psnr).expect("numbers");
     assert!(psnr[2] > psnr[0] - 0.5, "{psnr:?}");
     viewer.post("/training", &json!("stop")).ok();
-    wait_for_end(&mut viewer.child);
-    assert_eq!(viewer.child.wait().unwrap().code(), Some(0));
+    assert_eq!(wait_for_end(&mut viewer.child), Some(0));
     let said = viewer.last_words();
     assert!(
         said.iter().any(|line| line.contains("saved; `organza train --resume run`")),

@@ -7,7 +7,7 @@ use organza::data::{Dataset, Pose};
 use organza::error::format_bytes;
 use organza::splats::{self, Distilled, Fit, Format, Splat, SplatComparison, Views};
 use organza::train::FIT;
-use organza::{Renderer, Result, Scene};
+use organza::{DeviceScene, Renderer, Result, Scene};
 
 use super::console::Console;
 use super::device::DeviceArgs;
@@ -77,27 +77,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let renderer = args.device.open(console)?;
     let (views, data) = load_views(args, &source, &scene, &renderer, console)?;
     let uploaded = renderer.upload(&scene)?;
-    let fit = Fit { steps: args.steps, side: args.side };
-    let key = made_of(source.file(), &(&views, fit, renderer.device().arithmetic()))?;
-    let file = source.named().join(FIT);
-    let kept = Distilled::kept(&file, &key, &renderer, &scene, &uploaded, &views, fit)?;
-    let distilled = if let Some(kept) = kept {
-        console.note("the fit is there from an earlier export");
-        kept
-    } else {
-        announce(fit, console);
-        let progress = console.progress("fitting", args.steps as usize, "steps");
-        let mut see = |step| {
-            progress.set(step);
-            Ok(())
-        };
-        let new = splats::distill(&renderer, &scene, &uploaded, &views, fit, &mut see)?;
-        // what is fitted again in a minute need not be kept
-        if args.steps > 0 && source.settings()?.is_some() {
-            let _ = new.keep(&file, &key).inspect_err(|error| console.detail(&error.to_string()));
-        }
-        new
-    };
+    let distilled = distill(args, &source, &scene, (&renderer, &uploaded), &views, console)?;
     let placement = scene.config.placement;
     let up = Orbit::around(&views.fitted)?.up;
     let (written, offset) =
@@ -131,6 +111,36 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         ));
     }
     Ok(())
+}
+
+/// The Gaussians that show what the scene shows: of an earlier export, or fitted now.
+fn distill(
+    args: &Args,
+    source: &SceneSource,
+    scene: &Scene,
+    (renderer, uploaded): (&Renderer, &DeviceScene),
+    views: &Views,
+    console: Console,
+) -> Result<Distilled> {
+    let fit = Fit { steps: args.steps, side: args.side };
+    let key = made_of(source.file(), &(views, fit, renderer.device().arithmetic()))?;
+    let file = source.named().join(FIT);
+    if let Some(kept) = Distilled::kept(&file, &key, renderer, scene, uploaded, views, fit)? {
+        console.note("the fit is there from an earlier export");
+        return Ok(kept);
+    }
+    announce(fit, console);
+    let progress = console.progress("fitting", args.steps as usize, "steps");
+    let mut see = |step| {
+        progress.set(step);
+        Ok(())
+    };
+    let new = splats::distill(renderer, scene, uploaded, views, fit, &mut see)?;
+    // what is fitted again in a minute need not be kept
+    if args.steps > 0 && source.settings()?.is_some() {
+        let _ = new.keep(&file, &key).inspect_err(|error| console.detail(&error.to_string()));
+    }
+    Ok(new)
 }
 
 /// Says what the fit will take, or what is lost without it.

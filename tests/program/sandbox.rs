@@ -194,13 +194,19 @@ impl Sandbox {
         command
     }
 
-    /// Runs a shell command in the folder; `"$ORGANZA"` in it is the program.
+    /// A shell command in the folder; `"$ORGANZA"` in it is the program.
     #[cfg(target_os = "linux")]
-    pub fn shell(&self, script: &str) -> Outcome {
+    pub fn shell_command(&self, script: &str) -> Command {
         let mut command = Command::new("sh");
         command.args(["-c", script]).env("ORGANZA", program());
         self.prepare(&mut command);
-        command.output().expect("a shell runs").into()
+        command
+    }
+
+    /// Runs a [`Self::shell_command`].
+    #[cfg(target_os = "linux")]
+    pub fn shell(&self, script: &str) -> Outcome {
+        self.shell_command(script).output().expect("a shell runs").into()
     }
 
     /// Runs the program with this much address space, in KiB. Each thread reserves 66 MiB of it, so there are few threads on

@@ -47,10 +47,8 @@ impl Signals {
                 end("stopped by a second signal; what was saved stays");
             }
         };
-        match ctrlc::set_handler(handler) {
-            Ok(()) => Ok(signals),
-            Err(error) => refuse(format!("cannot listen to signals: {error}")),
-        }
+        handle(handler)?;
+        Ok(signals)
     }
 
     /// The flag that asks to save and stop.
@@ -83,6 +81,22 @@ impl Begun {
             }
         }
     }
+}
+
+/// Calls `handler` at each Ctrl-C, SIGTERM and SIGHUP. Where SIGHUP is ignored, as under `nohup`, it stays ignored: a training must
+/// outlive the login.
+pub fn handle(handler: impl FnMut() + Send + 'static) -> Result<()> {
+    #[cfg(unix)]
+    // SAFETY: no handler runs before the next call
+    let before = unsafe { libc::signal(libc::SIGHUP, libc::SIG_IGN) };
+    ctrlc::set_handler(handler)
+        .or_else(|error| refuse(format!("cannot listen to signals: {error}")))?;
+    #[cfg(unix)]
+    if before == libc::SIG_IGN {
+        // SAFETY: ignoring a signal runs no code
+        unsafe { libc::signal(libc::SIGHUP, libc::SIG_IGN) };
+    }
+    Ok(())
 }
 
 fn lock(begun: &Mutex<Begun>) -> MutexGuard<'_, Begun> {

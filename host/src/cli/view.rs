@@ -15,7 +15,7 @@ use organza::{Camera, Result};
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Shown};
-use super::{refuse, title};
+use super::{refuse, signals, title};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -138,16 +138,12 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         editor.map(|file| Editor::new(scenes.remove(0), cameras, args.scene_args.options(), file));
     let editor = editor.transpose()?;
     let queue = Arc::new(Queue::default());
-    let handler = {
-        let queue = Arc::clone(&queue);
-        // the first signal ends the program after the current image, the second at once
-        move || match queue.is_stopped() {
-            true => std::process::exit(0),
-            false => queue.stop(),
-        }
-    };
-    ctrlc::set_handler(handler)
-        .or_else(|error| refuse(format!("cannot listen to signals: {error}")))?;
+    let stopped = Arc::clone(&queue);
+    // the first signal ends the program after the current image, the second at once
+    signals::handle(move || match stopped.is_stopped() {
+        true => std::process::exit(0),
+        false => stopped.stop(),
+    })?;
     let places = Places::new(&uploaded, shown.places());
     let mut frame_renderer =
         FrameRenderer::new(Arc::clone(&queue), photographs).with(editor, places);

@@ -1,13 +1,19 @@
 //! Signals at any time.
 #![cfg(target_os = "linux")]
 
-use std::process::{Command, Stdio};
+use std::process::{Child, Stdio};
 use std::thread;
 use std::time::Duration;
 
 use super::processes::{end, signal, start, steps, wait_for_end};
 use super::runs::{BUILT_IN, TINY, add_views, sandbox};
-use crate::sandbox::wait_until;
+use crate::sandbox::{Sandbox, wait_until};
+
+/// Starts a shell, and captures its output.
+fn start_shell(sandbox: &Sandbox, script: &str) -> Child {
+    let mut command = sandbox.shell_command(script);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("a shell")
+}
 
 /// Rendering the views would take many minutes.
 #[test]
@@ -15,12 +21,12 @@ fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
     let sandbox = sandbox();
     let before = sandbox.files();
     for (name, delay) in [("TERM", 0), ("INT", 100), ("HUP", 400)] {
-        let child = start(
-            &sandbox,
-            &format!(
-                "{BUILT_IN} deep/run --set data.built_in_views=1000 --set data.built_in_side=96"
-            ),
+        // the tests may run where signals are ignored
+        let script = format!(
+            "exec env --default-signal \"$ORGANZA\" {BUILT_IN} deep/run --set data.built_in_views=1000 \
+             --set data.built_in_side=96"
         );
+        let child = start_shell(&sandbox, &script);
         wait_until("the folder is locked", || sandbox.path("deep/run/.organza-lock").exists());
         thread::sleep(Duration::from_millis(delay));
         signal(&child, name);
@@ -37,10 +43,7 @@ fn a_signal_is_not_swallowed_where_standard_error_blocks() {
     // a page is the unit in which pipes are filled
     let fill = "dd if=/dev/zero of=pipe bs=4096 oflag=nonblock 2>/dev/null";
     let script = format!("exec 3<>pipe; {fill}; exec \"$ORGANZA\" {TINY} run 2>&3");
-    let mut command = Command::new("sh");
-    command.args(["-c", &script]).env("ORGANZA", crate::sandbox::program());
-    command.current_dir(sandbox.path("")).stdin(Stdio::null());
-    let mut child = command.spawn().expect("a shell");
+    let mut child = sandbox.shell_command(&script).spawn().expect("a shell");
     // The folder is locked, and the next message names the device.
     wait_until("the folder is locked", || sandbox.path("run/.organza-lock").exists());
     thread::sleep(Duration::from_millis(500));
@@ -61,4 +64,19 @@ fn a_signal_while_measuring_saves_and_stops() {
     end(child).assert_ok().says(&["saved; `organza train --resume run`"]);
     assert!(sandbox.path("run/checkpoint.safetensors").exists());
     assert!(!sandbox.path("run/.organza-lock").exists());
+}
+
+/// A shell sends SIGHUP where its user logs out.
+#[test]
+fn a_run_under_nohup_outlives_the_login() {
+    let sandbox = sandbox();
+    let script = format!("exec nohup \"$ORGANZA\" {TINY} run --steps 100000");
+    let child = start_shell(&sandbox, &script);
+    let folder = sandbox.path("run");
+    wait_until("a first step", || steps(&folder) > 0);
+    signal(&child, "HUP");
+    let before = steps(&folder);
+    wait_until("more steps", || steps(&folder) > before + 10);
+    signal(&child, "TERM");
+    end(child).assert_ok().says(&["saved; `organza train --resume run`"]);
 }

@@ -58,11 +58,12 @@ impl Signals {
 
     /// Makes a run's folder, which is removed if it stays empty, and locks it. A signal waits meanwhile: it removes the folders that
     /// were made, and a lock by the name inside.
-    pub fn lock_run(&self, path: &Path, resume: bool) -> Result<(Folder, Result<RunFolder>)> {
+    pub fn lock_run(&self, path: &Path, resume: bool) -> Result<(Folder, RunFolder)> {
         let mut begun = lock(&self.begun);
         let folder = Folder::make(path)?;
         begun.folder = Some((path.to_owned(), folder.made().to_owned()));
-        Ok((folder, RunFolder::lock(path, resume)))
+        let locked = RunFolder::lock(path, resume)?;
+        Ok((folder, locked))
     }
 
     /// From now on, a signal keeps the results.

@@ -120,9 +120,9 @@ impl TrainJob<'_> {
         }
         let server = self.view.map(|(server, _)| server.listen(console)).transpose()?;
         // until there is something in the folder
-        let (_made, folder) = signals.lock_run(self.folder, self.resume)?;
-        let folder =
-            folder.map_err(|error| if self.group.is_none() { of_many(error) } else { error })?;
+        let locked = signals.lock_run(self.folder, self.resume);
+        let (_made, folder) =
+            locked.map_err(|error| if self.group.is_none() { of_many(error) } else { error })?;
         let options = device.options()?;
         let mine = match &self.group {
             Some(group) => group.device(options.clone(), 0),

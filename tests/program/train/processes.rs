@@ -13,7 +13,11 @@ use crate::sandbox::{Outcome, Sandbox};
 
 /// Starts the program, and captures its output.
 pub fn start(sandbox: &Sandbox, words: &str) -> Child {
-    let mut command = sandbox.command(words);
+    start_command(sandbox.command(words))
+}
+
+/// Like [`start`], with any command.
+pub fn start_command(mut command: Command) -> Child {
     command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
 }
 

@@ -1,19 +1,12 @@
 //! Signals at any time.
 #![cfg(target_os = "linux")]
 
-use std::process::{Child, Stdio};
 use std::thread;
 use std::time::Duration;
 
-use super::processes::{end, signal, start, steps, wait_for_end};
+use super::processes::{end, signal, start, start_command, steps, wait_for_end};
 use super::runs::{BUILT_IN, TINY, add_views, sandbox};
-use crate::sandbox::{Sandbox, wait_until};
-
-/// Starts a shell, and captures its output.
-fn start_shell(sandbox: &Sandbox, script: &str) -> Child {
-    let mut command = sandbox.shell_command(script);
-    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("a shell")
-}
+use crate::sandbox::wait_until;
 
 /// Rendering the views would take many minutes.
 #[test]
@@ -26,7 +19,7 @@ fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
             "exec env --default-signal \"$ORGANZA\" {BUILT_IN} deep/run --set data.built_in_views=1000 \
              --set data.built_in_side=96"
         );
-        let child = start_shell(&sandbox, &script);
+        let child = start_command(sandbox.shell_command(&script));
         wait_until("the folder is locked", || sandbox.path("deep/run/.organza-lock").exists());
         thread::sleep(Duration::from_millis(delay));
         signal(&child, name);
@@ -71,7 +64,7 @@ fn a_signal_while_measuring_saves_and_stops() {
 fn a_run_under_nohup_outlives_the_login() {
     let sandbox = sandbox();
     let script = format!("exec nohup \"$ORGANZA\" {TINY} run --steps 100000");
-    let child = start_shell(&sandbox, &script);
+    let child = start_command(sandbox.shell_command(&script));
     let folder = sandbox.path("run");
     wait_until("a first step", || steps(&folder) > 0);
     signal(&child, "HUP");

@@ -3,6 +3,7 @@
 use std::alloc::{self, Layout};
 use std::collections::VecDeque;
 use std::ops::Range;
+use std::panic::Location;
 use std::ptr::NonNull;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -181,12 +182,16 @@ pub struct Written {
 }
 
 /// A kernel that may have written a buffer.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Writer {
     pub kernel: &'static str,
     /// Its name for the buffer.
     pub name: &'static str,
+    pub ticket: Ticket,
 }
+
+/// Where the additional workgroup of a dispatch has changed an element of any buffer atomically: it may have taken what another workgroup should.
+pub type Ticket = Arc<OnceLock<&'static Location<'static>>>;
 
 /// Elements that nothing has written.
 pub struct Missing {
@@ -263,7 +268,7 @@ impl Written {
 
     /// The kernel that may have written last.
     pub fn writer(&self) -> Option<Writer> {
-        *self.writer.lock().unwrap_or_else(PoisonError::into_inner)
+        self.writer.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
 

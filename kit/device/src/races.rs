@@ -3,6 +3,7 @@
 
 use std::panic::Location;
 use std::ptr;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicPtr, AtomicU64, Ordering};
 
 use glam::UVec3;
@@ -13,7 +14,7 @@ use muslin_kernel::running::{self, unlinear};
 use muslin_kernel::{BindingInfo, KernelInfo};
 
 use crate::buffer::{Memory, RawBuffer};
-use crate::cpu_memory::{Writer, Written};
+use crate::cpu_memory::{Ticket, Writer, Written};
 use crate::job::Workgroups;
 
 /// Watches the accesses to a binding.
@@ -39,6 +40,7 @@ pub fn monitors<'a>(
     workgroups: Workgroups,
 ) -> Vec<Option<Monitor<'a>>> {
     let mut buffers = buffers.iter();
+    let ticket = Ticket::default();
     let monitor = |(binding_info, binding): (&BindingInfo, &CpuBinding<'_>)| {
         if binding_info.access == Access::Uniform {
             return None;
@@ -54,10 +56,10 @@ pub fn monitors<'a>(
         }
         if let Some(written) = written {
             let [kernel, name] = [info.name, binding_info.name];
-            written.set_writer(Writer { kernel, name });
+            written.set_writer(Writer { kernel, name, ticket: Arc::clone(&ticket) });
         }
         let len = binding.bytes / binding_info.element_bytes as usize;
-        Some(Monitor::Written(Races::new(info, len, workgroups, elements)))
+        Some(Monitor::Written(Races::new(info, len, workgroups, elements, Arc::clone(&ticket))))
     };
     info.bindings.iter().zip(bindings).map(monitor).collect()
 }
@@ -124,6 +126,7 @@ pub struct Races<'a> {
     elements: Vec<Touched>,
     /// The written elements, if parts of the buffer may be unwritten.
     written: Option<Elements<'a>>,
+    ticket: Ticket,
 }
 
 /// The invocations that have accessed an element in this dispatch, for each kind of access: none, or the first one,
@@ -167,6 +170,7 @@ impl<'a> Races<'a> {
         len: usize,
         workgroups: Workgroups,
         written: Option<Elements<'a>>,
+        ticket: Ticket,
     ) -> Self {
         Self {
             workgroups: workgroups.all.into(),
@@ -175,6 +179,7 @@ impl<'a> Races<'a> {
             layers: info.z_serial,
             elements: (0..len).map(|_| Touched::default()).collect(),
             written,
+            ticket,
         }
     }
 
@@ -304,6 +309,10 @@ impl AccessMonitor for Races<'_> {
         }
         if touch != Touch::Write && !self.is_written(index) {
             return Err(unwritten(does, index, name));
+        }
+        if is_atomic && place.is_additional {
+            // the first one is kept
+            let _ = self.ticket.set(at);
         }
         if let Some(written) = self.written.as_ref().filter(|_| touch != Touch::Read) {
             written.set(index, place.is_additional);

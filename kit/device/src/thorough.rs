@@ -1,7 +1,7 @@
 //! Runs each dispatch in several ways that must agree, because devices differ in them: one of them is without denormals.
 
 use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, is_far};
-use muslin_kernel::running;
+use muslin_kernel::{KernelInfo, running};
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
@@ -14,6 +14,8 @@ struct Output<'a> {
     /// Number of the binding.
     index: usize,
     info: &'static BindingInfo,
+    /// Whether its elements come in any order.
+    is_unordered: bool,
     binding: CpuBinding<'a>,
     written: Option<&'a Written>,
 }
@@ -151,9 +153,14 @@ fn outputs<'a>(job: &KernelJob<'a>) -> Vec<Output<'a>> {
             Memory::Cpu(memory) => memory.written(),
             _ => None,
         };
-        Some(Output { index, info, binding: job.bindings[index], written })
+        let is_unordered = is_unordered(job.info, info);
+        Some(Output { index, info, is_unordered, binding: job.bindings[index], written })
     };
     job.info.bindings.iter().enumerate().filter_map(output).collect()
+}
+
+fn is_unordered(kernel: &KernelInfo, binding: &BindingInfo) -> bool {
+    kernel.unordered.contains(&binding.name)
 }
 
 fn restore(outputs: &[Output<'_>], contents: &[Content]) {
@@ -184,6 +191,15 @@ impl Output<'_> {
     /// The first value that does not agree with what was expected.
     fn difference(&self, expected: &Content, other: Other, is_atomic: bool) -> Option<Difference> {
         let bytes = self.info.element_bytes as usize;
+        let sorted = |content: &[u8]| {
+            let mut elements: Vec<_> = content.chunks_exact(bytes).collect();
+            elements.sort_unstable();
+            elements.concat()
+        };
+        let [usual, found] = match self.is_unordered {
+            true => [sorted(&expected.bytes), sorted(self.bytes())],
+            false => [expected.bytes.clone(), self.bytes().to_vec()],
+        };
         let element = self.info.element.rsplit("::").next().unwrap_or_default().trim();
         let is_float = ["f32", "Vec2", "Vec4"].contains(&element);
         let text = |word: [u8; 4]| match element {
@@ -191,7 +207,7 @@ impl Output<'_> {
             _ if is_float => format!("{:?}", f32::from_ne_bytes(word)),
             _ => u32::from_ne_bytes(word).to_string(),
         };
-        let words = expected.bytes.as_chunks::<4>().0.iter().zip(self.bytes().as_chunks::<4>().0);
+        let words = usual.as_chunks::<4>().0.iter().zip(found.as_chunks::<4>().0);
         let mut all = words.enumerate().map(|(word, (usual, found))| (word, [*usual, *found]));
         let (word, [usual, found]) =
             all.find(|(_, pair)| !other.agree(*pair, is_float, is_atomic))?;

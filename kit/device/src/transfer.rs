@@ -230,16 +230,19 @@ impl Device {
         };
         let index = (missing.at - raw.begin as usize) / size_of::<T>();
         let label = raw.label;
-        let Some(Writer { kernel, name }) = written.writer() else {
+        let Some(Writer { kernel, name, ticket }) = written.writer() else {
             let reason =
                 format!("element {index} of the buffer `{label}` is read, and no kernel writes it");
             return Err(Error::Argument { reason });
         };
-        let why = match missing.is_additional {
-            true => {
-                ": only an additional workgroup has, which no other device runs, so the dispatch has too few"
-            }
-            false => "",
+        let additional = ": only an additional workgroup has, which no other device runs";
+        let why = match (missing.is_additional, ticket.get()) {
+            (true, Some(place)) => format!(
+                "{additional}. It has taken a ticket at {place}: if tickets say what a workgroup does, run the kernel with \
+                 `extra_workgroup(false)`"
+            ),
+            (true, None) => format!("{additional}, so the dispatch has too few"),
+            (false, _) => String::new(),
         };
         let reason = format!("it has not written element {index} of `{name}`, which is read{why}");
         Err(Error::Kernel { kernel: kernel.into(), reason })

@@ -149,6 +149,8 @@ pub struct KernelInfo {
     pub variant: Option<EntryPoint>,
     /// What a dispatch runs over, if the kernel declares it.
     pub over: Option<OverOf>,
+    /// Bindings whose elements come in any order.
+    pub unordered: &'static [&'static str],
     /// The CPU execution.
     pub run: CpuRun,
     /// The CPU execution of the variant: one invocation, with the workgroup memory of the variant after the bindings.

@@ -236,6 +236,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let each = each(kernel);
     let limit = limit(kernel);
     let over = over(kernel);
+    let unordered = kernel.unordered.iter().map(ToString::to_string);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         #[::muslin::dependencies::linkme::distributed_slice(::muslin::kernel::KERNELS)]
@@ -257,6 +258,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 shared: &#shared,
                 variant: #variant,
                 over: #over,
+                unordered: &[#(#unordered),*],
                 run: run(),
                 run_variant: #run_variant,
                 run_arithmetic: RUN_ARITHMETIC,

@@ -37,6 +37,7 @@
 //! | `fused`             | drivers may fuse and regroup arithmetic. Otherwise they compute what is written, so devices agree |
 //! | `over(items)`, `over(items, workgroups_z)`, `over(width, height, depth)` | what a dispatch runs over, of the parameters and the lengths of buffers: `over(params.side, params.side, tile.len() / 4)`. `Device::run_all` and parity cases take it |
 //! | `counts(field, ..)` | fields of the parameters that another kernel can have written on the device: the dispatch gets `counted(&field, ..)` |
+//! | `unordered(binding, ..)` | the elements of these bindings come in any order: they are where tickets of atomics say |
 //! | `z_serial`          | the CPU runs the workgroups of one z one after another, on one thread: `atomic::add_wide` can then change what only they touch |
 //! | `z_innermost`       | the CPU runs the workgroups of one x and y one after another: they find in a cache what the first has read |
 //!

@@ -87,6 +87,8 @@ pub struct Attribute {
     pub iterations: Option<Expr>,
     /// Fields of the uniform buffer whose values only the device can know.
     pub counts: Vec<Ident>,
+    /// Bindings whose elements come in any order.
+    pub unordered: Vec<Ident>,
     /// What a dispatch runs over.
     pub over: Vec<Expr>,
 }
@@ -139,6 +141,12 @@ impl Kernel {
             let message = "`counts` are fields of the kernel's `&Params`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
+        let is_written = |name: &Ident| {
+            let is_it = |parameter: &Parameter| {
+                parameter.name == *name && matches!(parameter.role, Role::Write)
+            };
+            kernel.parameters.iter().any(is_it)
+        };
         if let (None, Some(span)) = (&kernel.iterations, first_loop(&kernel.function.block)) {
             let name = &kernel.function.sig.ident;
             let message = format!(
@@ -146,6 +154,9 @@ impl Kernel {
                  `#[kernel(.., iterations = ..)]`"
             );
             return Err(Error::new(span, message));
+        }
+        if let Some(name) = kernel.unordered.iter().find(|name| !is_written(name)) {
+            return Err(Error::new(name.span(), "`unordered` names bindings of the type `Write`"));
         }
         if kernel.lanes.is_some() && kernel.waits() {
             let message = "a kernel with workgroup memory has no `lanes`";
@@ -190,7 +201,7 @@ impl Kernel {
 }
 
 /// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial` or `z_innermost`, `lanes` or
-/// `lanes(field)`, `over(items, ..)`, and `counts(field, ..)`
+/// `lanes(field)`, `over(items, ..)`, `counts(field, ..)`, and `unordered(binding, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
     let mut threads = None;
     let mut found = Attribute::default();
@@ -222,14 +233,17 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
             found.over = up_to_three(&meta)?;
             return Ok(());
         }
-        if meta.path.is_ident("counts") {
+        if meta.path.is_ident("counts") || meta.path.is_ident("unordered") {
             let content;
             syn::parenthesized!(content in meta.input);
-            found.counts.extend(content.parse_terminated(Ident::parse, syn::Token![,])?);
+            let names = content.parse_terminated(Ident::parse, syn::Token![,])?;
+            let list =
+                if meta.path.is_ident("counts") { &mut found.counts } else { &mut found.unordered };
+            list.extend(names);
             return Ok(());
         }
         if !meta.path.is_ident("threads") {
-            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `over(items, ..)` or `counts(field, ..)`";
+            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `over(items, ..)`, `counts(field, ..)` or `unordered(binding, ..)`";
             return Err(meta.error(expected));
         }
         // lengths of workgroup memory are `usize`, and one constant serves both

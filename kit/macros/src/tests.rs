@@ -108,6 +108,13 @@ fn small_integers_are_packed_and_others_are_not() {
 }
 
 #[test]
+fn only_outputs_are_unordered() {
+    let message = refusal(quote!(unordered(input)), quote!(input: Read<u32>), quote!());
+    assert_eq!(message, "`unordered` names bindings of the type `Write`");
+    assert_eq!(refusal(quote!(unordered(list)), quote!(list: Write<u32>), quote!()), "");
+}
+
+#[test]
 fn a_generic_kernel_is_told_what_to_do() {
     let function = quote!(
         pub fn blur<const SIDE: u32>(id: Invocation) {}

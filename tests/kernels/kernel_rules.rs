@@ -101,7 +101,7 @@ fn loops_end_at_their_conditions() {
     }
 }
 
-/// Only workgroup memory makes invocations wait, and the CPU run knows which kernels do.
+/// Only workgroup memory and storage barriers make invocations wait, and the CPU run knows which kernels do.
 #[test]
 fn only_kernels_that_wait_have_barriers() {
     for (kernel, point) in entry_points() {

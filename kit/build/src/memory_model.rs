@@ -6,19 +6,19 @@
 //! compilers use, it does.
 //!
 //! A storage buffer is another matter: there, GLSL's model only promises that a barrier makes a write visible if the buffer is
-//! `Coherent`. So a barrier of storage buffers is refused.
+//! `Coherent`. The buffers that a kernel with storage barriers writes become so.
 
 use std::collections::BTreeSet;
 
 use anyhow::{Context, Result, bail};
-use rspirv::dr::{Builder, Module, Operand};
+use rspirv::dr::{Builder, Instruction, Module, Operand};
 use rspirv::spirv::{
-    AddressingModel, Capability, MemoryAccess, MemoryModel, MemorySemantics, Op, Scope, Word,
+    AddressingModel, Capability, Decoration, MemoryAccess, MemoryModel, MemorySemantics, Op, Scope,
+    StorageClass, Word,
 };
 
-/// Memory semantics that GLSL's model does not allow, or with which a barrier orders storage buffers.
+/// Memory semantics that Vulkan's model allows and GLSL's does not.
 const SEMANTICS: MemorySemantics = MemorySemantics::OUTPUT_MEMORY
-    .union(MemorySemantics::UNIFORM_MEMORY)
     .union(MemorySemantics::MAKE_AVAILABLE)
     .union(MemorySemantics::MAKE_VISIBLE)
     .union(MemorySemantics::VOLATILE);
@@ -44,7 +44,44 @@ pub fn lower(module: &mut Module) -> Result<()> {
     });
     refuse_without_equivalent(module)?;
     widen_scopes(module);
+    if has_storage_barrier(module) {
+        decorate_coherent(module);
+    }
     Ok(())
+}
+
+fn has_storage_barrier(module: &Module) -> bool {
+    module.all_inst_iter().filter(|i| i.class.opcode == Op::ControlBarrier).any(|barrier| {
+        let Some(&Operand::IdMemorySemantics(id)) = barrier.operands.last() else { return false };
+        let semantics = MemorySemantics::from_bits_retain(constant(module, id).unwrap_or(0));
+        semantics.contains(MemorySemantics::UNIFORM_MEMORY)
+    })
+}
+
+/// Makes the storage buffers coherent that are written. The decoration is the struct's member's, as GLSL compilers
+/// write it: naga leaves that out, so that WGSL, where a barrier needs no decoration, has none.
+fn decorate_coherent(module: &mut Module) {
+    let is_read_only = |id: Word| {
+        let decoration = [Operand::IdRef(id), Operand::Decoration(Decoration::NonWritable)];
+        module.annotations.iter().any(|annotation| annotation.operands == decoration)
+    };
+    let pointee = |pointer: Word| {
+        let found = module.types_global_values.iter().find(|i| i.result_id == Some(pointer))?;
+        found.operands.last()?.id_ref_any()
+    };
+    let storage = Operand::StorageClass(StorageClass::StorageBuffer);
+    let buffers = module.types_global_values.iter().filter(|instruction| {
+        instruction.class.opcode == Op::Variable
+            && instruction.operands.first() == Some(&storage)
+            && !instruction.result_id.is_some_and(is_read_only)
+    });
+    let structs: BTreeSet<Word> = buffers.filter_map(|i| pointee(i.result_type?)).collect();
+    module.annotations.extend(structs.into_iter().map(|id| {
+        let member = Operand::LiteralBit32(0);
+        let coherent = Operand::Decoration(Decoration::Coherent);
+        let operands = vec![Operand::IdRef(id), member, coherent];
+        Instruction::new(Op::MemberDecorate, None, None, operands)
+    }));
 }
 
 /// GLSL's model has no scope of a queue family. `Device` contains them all, and replaces it.
@@ -79,9 +116,7 @@ fn refuse_without_equivalent(module: &Module) -> Result<()> {
                 let bits = constant(module, id).context("memory semantics are a constant")?;
                 let semantics = MemorySemantics::from_bits_retain(bits);
                 if semantics.intersects(SEMANTICS) {
-                    bail!(
-                        "it has barriers or atomics of {semantics:?}: a barrier orders workgroup memory, `id.barrier()`"
-                    );
+                    bail!("memory semantics {semantics:?}, which GLSL's memory model has not");
                 }
             }
             _ => {}
@@ -104,7 +139,6 @@ mod tests {
     use super::*;
     use crate::lower::count_fill;
     use rspirv::dr;
-    use rspirv::spirv::StorageClass;
 
     fn lower(spirv: &[u8]) -> Result<Vec<u8>> {
         crate::lower::lower(spirv, true, [1; 3])
@@ -145,9 +179,45 @@ mod tests {
 
     #[test]
     fn semantics_without_equivalent_are_refused() {
-        for semantics in [MemorySemantics::MAKE_VISIBLE, MemorySemantics::UNIFORM_MEMORY] {
-            let error = lower(&module(semantics)).unwrap_err();
-            assert!(error.to_string().contains("`id.barrier()`"), "{error}");
+        let error = lower(&module(MemorySemantics::MAKE_VISIBLE)).unwrap_err();
+        assert!(error.to_string().contains("MAKE_VISIBLE"), "{error}");
+    }
+
+    /// Decorations of members, in a module with two buffers, of which one is written, and one barrier.
+    fn member_decorations(semantics: MemorySemantics) -> Vec<Vec<Operand>> {
+        let mut b = Builder::new();
+        let uint = b.type_int(32, 0);
+        for is_read_only in [true, false] {
+            let values = b.type_runtime_array(uint);
+            // each is a type of its own
+            let buffer = b.type_struct_id(None, [values]);
+            let pointer = b.type_pointer(None, StorageClass::StorageBuffer, buffer);
+            let variable = b.variable(pointer, None, StorageClass::StorageBuffer, None);
+            if is_read_only {
+                b.decorate(variable, Decoration::NonWritable, []);
+            }
         }
+        let scope = b.constant_bit32(uint, Scope::Workgroup as u32);
+        let semantics = b.constant_bit32(uint, semantics.bits());
+        let mut module = count_fill(b, &[], |b| {
+            b.control_barrier(scope, scope, semantics).unwrap();
+        });
+        super::lower(&mut module).unwrap();
+        let members =
+            module.annotations.into_iter().filter(|i| i.class.opcode == Op::MemberDecorate);
+        members.map(|instruction| instruction.operands).collect()
+    }
+
+    #[test]
+    fn a_storage_barrier_makes_written_buffers_coherent() {
+        let orders = MemorySemantics::ACQUIRE_RELEASE | MemorySemantics::WORKGROUP_MEMORY;
+        assert!(member_decorations(orders).is_empty());
+        let [found] = &member_decorations(orders | MemorySemantics::UNIFORM_MEMORY)[..] else {
+            panic!("one buffer is written")
+        };
+        assert_eq!(
+            found[1..],
+            [Operand::LiteralBit32(0), Operand::Decoration(Decoration::Coherent)]
+        );
     }
 }

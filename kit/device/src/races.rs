@@ -114,7 +114,8 @@ fn unwritten(does: &str, index: u32, name: &str) -> String {
     format!("{does} element {index} of `{name}`, which nothing has written")
 }
 
-/// Monitors a storage buffer during one dispatch: nothing orders the accesses of different invocations.
+/// Monitors a storage buffer during one dispatch: only storage barriers order the accesses of different invocations, and only of
+/// one workgroup.
 pub struct Races<'a> {
     workgroups: UVec3,
     /// Invocations of a workgroup, along each axis.
@@ -130,7 +131,8 @@ pub struct Races<'a> {
 }
 
 /// The invocations that have accessed an element in this dispatch, for each kind of access: none, or the first one,
-/// with marks. An access of one kind does not hide others' accesses of another kind.
+/// with marks. An access of one kind does not hide others' accesses of another kind. Where only one workgroup has accessed it, the
+/// accesses before its last storage barrier are forgotten when a new one comes.
 #[derive(Default)]
 struct Touched {
     writer: AtomicU64,
@@ -152,15 +154,24 @@ impl Touched {
     }
 }
 
-/// Marks accesses of several invocations.
-const SEVERAL: u64 = 1 << 63;
+/// Marks accesses of several workgroups.
+const WORKGROUPS: u64 = 1 << 63;
+
+/// Marks accesses of several invocations, between two storage barriers of their workgroup.
+const SEVERAL: u64 = 1 << 62;
 
 /// Marks atomics that do not conflict with others of the same z.
-const SERIAL: u64 = 1 << 62;
+const SERIAL: u64 = 1 << 61;
 
-/// The invocation that left a mark first: they are counted from 1, workgroup by workgroup.
+/// Number of bits of a mark for the invocation: a CPU would take days for more. They are counted from 1, workgroup by workgroup.
+const INVOCATION_BITS: u32 = 42;
+
+/// The bits of a mark between: the storage phase, modulo 2^19. A workgroup with more barriers takes too many iterations.
+const PHASE: u64 = SERIAL - (1 << INVOCATION_BITS);
+
+/// The invocation that left a mark first.
 const fn who(mark: u64) -> u64 {
-    mark & !(SEVERAL | SERIAL)
+    mark & ((1 << INVOCATION_BITS) - 1)
 }
 
 impl<'a> Races<'a> {
@@ -187,29 +198,53 @@ impl<'a> Races<'a> {
     fn mark(&self, id: Invocation) -> u64 {
         let workgroup = linear(id.workgroup, self.workgroups);
         let first = workgroup * u64::from(self.size.element_product());
-        1 + first + linear(id.local, self.size)
+        let phase = running::storage_phase() << INVOCATION_BITS & PHASE;
+        phase | (1 + first + linear(id.local, self.size))
+    }
+
+    /// The workgroup of a mark.
+    fn workgroup(&self, mark: u64) -> u64 {
+        (who(mark) - 1) / u64::from(self.size.element_product())
     }
 
     /// The place of a mark's invocation in the dispatch.
     fn place(&self, mark: u64) -> UVec3 {
-        let count = u64::from(self.size.element_product());
-        let workgroup = unlinear((who(mark) - 1) / count, self.workgroups);
-        workgroup * self.size + unlinear((who(mark) - 1) % count, self.size)
+        let workgroup = unlinear(self.workgroup(mark), self.workgroups);
+        let local = (who(mark) - 1) % u64::from(self.size.element_product());
+        workgroup * self.size + unlinear(local, self.size)
     }
 
     /// Adds a mark, and returns the previous content.
-    fn leave(slot: &AtomicU64, own: u64) -> u64 {
+    fn leave(&self, slot: &AtomicU64, own: u64) -> u64 {
         let merge = |before: u64| {
             let both = before & (own | !SERIAL);
             match before {
                 0 => own,
-                _ if who(before) == who(own) => both,
+                // it conflicts with any other access already
+                _ if before & WORKGROUPS != 0 => both,
+                _ if who(before) == who(own) && before & PHASE == own & PHASE => both,
+                _ if self.workgroup(before) != self.workgroup(own) => both | WORKGROUPS,
+                // a storage barrier lies between
+                _ if before & PHASE != own & PHASE => own,
                 _ => both | SEVERAL,
             }
         };
         // the closure always returns a value
         slot.fetch_update(Ordering::SeqCst, Ordering::SeqCst, |before| Some(merge(before)))
             .unwrap_or(0)
+    }
+
+    /// Whether others than `own` have left a mark, and no storage barrier lies between.
+    fn meets(&self, own: u64, found: u64) -> bool {
+        let is_other = who(found) != who(own) || found & SEVERAL != 0;
+        let is_now = found & PHASE == own & PHASE;
+        found != 0 && (is_other && is_now || self.is_elsewhere(own, found))
+    }
+
+    /// Whether other workgroups have left a mark.
+    fn is_elsewhere(&self, own: u64, found: u64) -> bool {
+        found & WORKGROUPS != 0
+            || who(found) != who(own) && self.workgroup(found) != self.workgroup(own)
     }
 
     fn is_written(&self, index: u32) -> bool {
@@ -228,7 +263,11 @@ impl<'a> Races<'a> {
             true => "other invocations have".to_owned(),
             false => format!("invocation {} of the dispatch has", self.place(found)),
         };
-        let barrier = if self.waits { ", and no barrier orders storage buffers" } else { "" };
+        let barrier = match self.is_elsewhere(own, found) {
+            _ if !self.waits => "",
+            true => ", and no barrier orders workgroups",
+            false => ", and no storage barrier lies between",
+        };
         format!("{does} {element}, which {who} {did} in the same dispatch{barrier}")
     }
 
@@ -261,11 +300,6 @@ impl<'a> Races<'a> {
     }
 }
 
-/// Whether others than `own` have left a mark.
-const fn meets(own: u64, found: u64) -> bool {
-    found != 0 && (who(found) != who(own) || found & SEVERAL != 0)
-}
-
 /// Whether one of the `f32` in some bytes is NaN.
 fn is_nan(bytes: &[u8]) -> bool {
     let (numbers, _) = bytes.as_chunks::<4>();
@@ -290,7 +324,7 @@ impl AccessMonitor for Races<'_> {
             Touch::Atomic => ("atomically changes", &touched.atomic, own),
             Touch::Serial => ("adds, for its z alone, to", &touched.atomic, own | SERIAL),
         };
-        let before = Self::leave(slot, mark);
+        let before = self.leave(slot, mark);
         if touch != Touch::Read {
             touched.note(at);
         }
@@ -302,7 +336,7 @@ impl AccessMonitor for Races<'_> {
         ];
         for (slot, did, disturbs) in others {
             let found = slot.load(Ordering::SeqCst);
-            if disturbs && meets(own, found) {
+            if disturbs && self.meets(own, found) {
                 let element = format!("element {index} of `{name}`");
                 return Err(self.conflict(&element, does, [own, found], did));
             }

@@ -4,6 +4,8 @@
 use core::panic::Location;
 
 use glam::UVec3;
+#[cfg(target_arch = "spirv")]
+use spirv_std::memory::{Scope, Semantics};
 
 /// One invocation of a kernel.
 #[derive(Clone, Copy)]
@@ -70,7 +72,7 @@ impl Invocation {
     }
 
     /// Waits for the whole workgroup. Afterwards, everything that it wrote to workgroup memory is visible. What it wrote to storage
-    /// buffers is not: only the next dispatch sees that.
+    /// buffers is not: see [`storage_barrier`](Self::storage_barrier).
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
     pub fn barrier(&self) {
@@ -79,13 +81,55 @@ impl Invocation {
         #[cfg(not(target_arch = "spirv"))]
         (self.wait)(Location::caller());
     }
+
+    /// Waits for the whole workgroup. Afterwards, everything that it wrote to workgroup memory and to storage buffers is visible to
+    /// it. It does not wait for other workgroups, and sees nothing that they write: only the next dispatch does.
+    ///
+    /// In WGSL, it is `storageBarrier` with `workgroupBarrier`. It costs more than [`barrier`](Self::barrier), so prefer workgroup
+    /// memory for what fits there. A kernel without workgroup memory declares `storage_barriers`.
+    ///
+    /// ```
+    /// # extern crate muslin_kernel as muslin;
+    /// use muslin::prelude::*;
+    ///
+    /// /// Reverses the values of each workgroup, in place.
+    /// #[kernel(threads(64), storage_barriers)]
+    /// pub fn reverse(id: Invocation, data: Write<u32>) {
+    ///     let other = data.read(id.workgroup.x * 64 + 63 - id.local.x);
+    ///     id.storage_barrier();
+    ///     data.write(id.index(), other);
+    /// }
+    /// # fn main() {}
+    /// ```
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn storage_barrier(&self) {
+        #[cfg(target_arch = "spirv")]
+        spirv_std::arch::control_barrier::<
+            { Scope::Workgroup as u32 },
+            { Scope::Workgroup as u32 },
+            {
+                Semantics::UNIFORM_MEMORY.bits()
+                    | Semantics::WORKGROUP_MEMORY.bits()
+                    | Semantics::ACQUIRE_RELEASE.bits()
+            },
+        >();
+        #[cfg(not(target_arch = "spirv"))]
+        {
+            (self.wait)(Location::caller());
+            crate::phase::begin_storage();
+        }
+    }
 }
 
 #[cfg(not(target_arch = "spirv"))]
 #[track_caller]
 fn no_barrier(_: &'static Location<'static>) {
     match crate::running::current() {
-        Some(_) => panic!("a barrier in a kernel without workgroup memory: it orders nothing else"),
+        Some(_) => panic!(
+            "a barrier in a kernel without workgroup memory: if it is a storage barrier, the kernel says so, \
+             `#[kernel(.., storage_barriers)]`"
+        ),
         None => panic!(
             "a barrier, and no other invocation runs: a test calls a kernel with barriers through \
              `muslin::workgroup::Workgroup`"

@@ -18,6 +18,8 @@ std::thread_local! {
     static SIZE: Cell<UVec3> = const { Cell::new(UVec3::ONE) };
     /// The phase in which the workgroup began.
     static FIRST_PHASE: Cell<u64> = const { Cell::new(1) };
+    /// The phase that began with the last storage barrier.
+    static STORAGE_PHASE: Cell<u64> = const { Cell::new(1) };
     /// The first conflict of a phase in workgroup memory.
     static CONFLICT: RefCell<Option<String>> = const { RefCell::new(None) };
 }
@@ -47,6 +49,16 @@ pub fn size() -> UVec3 {
 /// Begins the next phase.
 pub fn next() {
     PHASE.set(PHASE.get() + 1);
+}
+
+/// Orders storage buffers, too: an invocation says so when it goes on after a storage barrier. Each says the same.
+pub fn begin_storage() {
+    STORAGE_PHASE.set(PHASE.get());
+}
+
+/// Tells apart what lies between two storage barriers of the thread's workgroup. Plain barriers do not change it.
+pub fn storage() -> u64 {
+    STORAGE_PHASE.get()
 }
 
 /// Records that an invocation uses workgroup memory wrongly. The workgroup fails at the end of the phase: only then

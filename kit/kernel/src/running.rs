@@ -9,6 +9,7 @@ use core::panic::Location;
 use glam::UVec3;
 
 use crate::invocation::Invocation;
+pub use crate::phase::storage as storage_phase;
 
 /// An invocation of a kernel.
 #[derive(Clone, Copy)]

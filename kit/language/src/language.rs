@@ -3,7 +3,7 @@
 use muslin_check::prelude::*;
 use muslin_language_kernels::language::{
     AS_WRITTEN_ROWS, AsWrittenInputs, BYTES, ByteHistogramInputs, COMPARED_ROWS, ComparedInputs,
-    LanguageParams,
+    LanguageParams, MAX_ROW, SortParams, SortRowsInputs,
 };
 
 case!(pub ByteHistogram(ByteHistogramInputs));
@@ -25,6 +25,27 @@ impl Parity for ByteHistogram {
             Some(high) => self.halves.iter().map(byte).filter(|byte| *byte == high).count(),
         };
         Some(Rounded::exact(count as f64))
+    }
+}
+
+case!(pub SortRows(SortRowsInputs));
+
+impl Parity for SortRows {
+    fn sets() -> Vec<(String, Self)> {
+        let set = |[rows, columns]: [u32; 2]| {
+            let mut random = Random::new(columns.into());
+            let values = (0..rows * columns).map(|_| random.bits()).collect();
+            let params = SortParams { rows, columns };
+            (format!("{rows} rows of {columns}"), Self(SortRowsInputs { params, values }))
+        };
+        [[5, 1], [1, 2], [3, 64], [2, 1024], [1, MAX_ROW]].map(set).into()
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
+        let mut sorted = self.values.clone();
+        let rows = sorted.chunks_exact_mut(self.params.columns as usize);
+        rows.for_each(<[u32]>::sort_unstable);
+        listed(sorted)
     }
 }
 

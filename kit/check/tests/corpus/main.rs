@@ -28,11 +28,12 @@ corpus! {
     barriers {
         missing_before_read reduction_without_barrier divergent_half
         barrier_in_each_branch helper_in_both_branches rounds_apart barrier_for_storage
+        barrier_for_all_workgroups storage_barrier_is_missing storage_barrier_for_all_workgroups
     }
     workgroup_memory { end_of_the_last_tile column_is_not_the_index counts_read_too_soon }
     storage_races {
         scatter_with_duplicates shift_in_place atomic_and_plain
-        reads_a_counter_too_soon layers_share_a_sum
+        reads_a_counter_too_soon sum_by_every_invocation layers_share_a_sum
     }
     out_of_range { no_test_of_the_index lanes_past_the_end }
     unwritten {

@@ -8,6 +8,7 @@ extern crate muslin_kernel as muslin;
 
 mod broken;
 mod sizes;
+mod storage_barriers;
 mod thorough;
 
 use std::process::Command;

@@ -1,8 +1,8 @@
-//! Copies arguments of atomics that come from another block.
+//! Copies arguments of atomics and of subgroups' operations that come from another block.
 //!
 //! naga's SPIR-V reader uses an atomic's argument directly, even if it was computed in a loop that has ended. It then
-//! refuses the module: "NotInScope". For every other instruction, it carries such a value out of the loop in a variable. So this pass
-//! copies the argument first, next to the atomic.
+//! refuses the module: "NotInScope". On such an argument of a subgroup's operation, it panics. For every other instruction, it carries such a value out of the loop in a
+//! variable. So this pass copies the argument first, next to the instruction.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use rspirv::spirv::{Op, Word};
 
 use crate::module::rewrite;
 
-/// Copies the arguments of all atomics that were computed in another block.
+/// Copies the arguments of all these instructions that were computed in another block.
 pub fn copy(module: &mut Module) {
     // the block that computes each value; parameters and constants are in scope everywhere
     let mut computed = HashMap::new();
@@ -32,10 +32,11 @@ pub fn copy(module: &mut Module) {
     });
 }
 
-/// The arguments of an atomic, after its pointer.
+/// The arguments of an atomic, after its pointer, or of a subgroup's operation, after its scope.
 fn arguments(instruction: &mut Instruction) -> impl Iterator<Item = &mut Word> {
-    let is_atomic = instruction.class.opname.starts_with("Atomic");
-    let operands = instruction.operands.iter_mut().skip(1).filter(move |_| is_atomic);
+    let name = instruction.class.opname;
+    let is_meant = name.starts_with("Atomic") || name.starts_with("GroupNonUniform");
+    let operands = instruction.operands.iter_mut().skip(1).filter(move |_| is_meant);
     operands.filter_map(|operand| match operand {
         Operand::IdRef(id) => Some(id),
         _ => None,
@@ -47,10 +48,10 @@ mod tests {
     use super::*;
     use crate::lower::{bytes, count_fill};
     use rspirv::dr::Builder;
-    use rspirv::spirv::{Decoration, LoopControl, StorageClass};
+    use rspirv::spirv::{Capability, Decoration, GroupOperation, LoopControl, StorageClass};
 
-    /// A kernel that adds `n` to a counter, which a loop has counted up to 3.
-    fn counted_in_a_loop() -> Module {
+    /// A kernel that adds `n` to a counter, which a loop has counted up to 3; or the sum of a subgroup's `n`.
+    fn counted_in_a_loop(by_subgroup: bool) -> Module {
         let mut b = Builder::new();
         let uint = b.type_int(32, 0);
         let bool = b.type_bool();
@@ -80,15 +81,19 @@ mod tests {
             b.branch(head).unwrap();
             b.begin_block(Some(end)).unwrap();
             let at = b.access_chain(element, None, counter, [zero]).unwrap();
-            b.atomic_i_add(uint, None, at, one, zero, n).unwrap();
+            if by_subgroup {
+                b.capability(Capability::GroupNonUniformArithmetic);
+                let sum = GroupOperation::Reduce;
+                let sum = b.group_non_uniform_i_add(uint, None, three, sum, n, None);
+                b.store(at, sum.unwrap(), None, []).unwrap();
+            } else {
+                b.atomic_i_add(uint, None, at, one, zero, n).unwrap();
+            }
         })
     }
 
-    #[test]
-    fn naga_takes_an_argument_that_comes_out_of_a_loop() {
-        let mut module = counted_in_a_loop();
-        let refused = crate::validate::check(&bytes(&module)).unwrap_err().to_string();
-        assert!(refused.contains("NotInScope"), "naga takes it now: this pass can go: {refused}");
+    /// Copies one value, after which naga takes the module.
+    fn assert_copied(mut module: Module) {
         copy(&mut module);
         crate::validate::check(&bytes(&module)).unwrap();
         let count = |op| module.all_inst_iter().filter(|i| i.class.opcode == op).count();
@@ -97,5 +102,21 @@ mod tests {
         let once = bytes(&module);
         copy(&mut module);
         assert_eq!(bytes(&module), once);
+    }
+
+    #[test]
+    fn naga_takes_an_argument_that_comes_out_of_a_loop() {
+        let module = counted_in_a_loop(false);
+        let refused = crate::validate::check(&bytes(&module)).unwrap_err().to_string();
+        assert!(refused.contains("NotInScope"), "naga takes it now: this pass can go: {refused}");
+        assert_copied(module);
+    }
+
+    #[test]
+    fn naga_panics_on_a_value_that_comes_out_of_a_loop() {
+        let module = counted_in_a_loop(true);
+        let check = || crate::validate::check(&bytes(&module));
+        assert!(std::panic::catch_unwind(check).is_err(), "naga takes it now");
+        assert_copied(module);
     }
 }

@@ -332,7 +332,8 @@ fn build_here(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String,
         .spirv_metadata(SpirvMetadata::None)
         .target_dir_path(project.target.join("spirv"));
     builder.capabilities =
-        [&lower::WIDE[..], &small_integers::CAPABILITIES, &[lower::AS_WRITTEN]].concat();
+        [&lower::SUBGROUPS[..], &lower::WIDE, &small_integers::CAPABILITIES, &[lower::AS_WRITTEN]]
+            .concat();
     compiler.configure(&mut builder);
     let result = builder.build().context("the kernels do not compile")?;
     let ModuleResult::MultiModule(paths) = result.module else {

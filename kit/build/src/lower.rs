@@ -61,6 +61,14 @@ fn set_workgroup_size(module: &mut Module, size: [u32; 3]) {
 /// wgpu enables no feature for it.
 pub const AS_WRITTEN: Capability = Capability::SignedZeroInfNanPreserve;
 
+/// The capabilities of subgroups, which the compiler gives to every module.
+pub const SUBGROUPS: [Capability; 4] = [
+    Capability::GroupNonUniform,
+    Capability::GroupNonUniformArithmetic,
+    Capability::GroupNonUniformBallot,
+    Capability::GroupNonUniformShuffle,
+];
+
 /// The capabilities of 64-bit sums, which the compiler gives to every module.
 pub const WIDE: [Capability; 2] = [Capability::Int64, Capability::Int64Atomics];
 
@@ -69,7 +77,7 @@ fn is_wide(of: &Instruction) -> bool {
     of.class.opcode == Op::TypeInt && of.operands[0] == Operand::LiteralBit32(64)
 }
 
-/// Drops [`AS_WRITTEN`], and the capabilities of 64-bit sums that nothing needs: a device can lack them.
+/// Drops [`AS_WRITTEN`], and the capabilities of subgroups and of 64-bit sums that nothing needs: a device can lack them.
 fn drop_unused_capabilities(module: &mut Module) {
     let of_functions = module.functions.iter().flat_map(|function| function.all_inst_iter());
     let mut needed: BTreeSet<_> =
@@ -79,9 +87,10 @@ fn drop_unused_capabilities(module: &mut Module) {
     if module.types_global_values.iter().any(is_wide) {
         needed.extend(WIDE);
     }
+    let optional = [&SUBGROUPS[..], &WIDE].concat();
     module.capabilities.retain(|instruction| match instruction.operands[..] {
         [Operand::Capability(of)] => {
-            of != AS_WRITTEN && (!WIDE.contains(&of) || needed.contains(&of))
+            of != AS_WRITTEN && (!optional.contains(&of) || needed.contains(&of))
         }
         _ => true,
     });

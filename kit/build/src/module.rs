@@ -14,6 +14,7 @@ use crate::{lower, validate};
 /// kernel's bindings.
 pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()> {
     let module = load(spirv)?;
+    check_subgroups(kernel, &module)?;
     check_wide(point, &module)?;
     check_loops(kernel, &module)?;
     check_functions(&module)?;
@@ -54,6 +55,16 @@ fn check_wide(point: &EntryPoint, module: &Module) -> Result<()> {
     let declares = !point.sums.is_empty();
     ensure!(declares || !has_some, "it has `u64` or `i64`, in helpers too, which GPUs lack");
     ensure!(has_some || !declares, "it declares `impl SumWord`, and adds nothing to it");
+    Ok(())
+}
+
+/// A kernel with operations of subgroups declares them: some devices have none.
+fn check_subgroups(kernel: &KernelInfo, module: &Module) -> Result<()> {
+    let has_some = has_any(module, &lower::SUBGROUPS);
+    let wrong =
+        "it has operations of subgroups, in helpers too: declare them, `#[kernel(.., subgroups)]`";
+    ensure!(kernel.subgroups || !has_some, wrong);
+    ensure!(has_some || !kernel.subgroups, "it declares `subgroups`, and uses none");
     Ok(())
 }
 
@@ -271,11 +282,16 @@ mod tests {
 
     #[test]
     fn what_a_device_can_lack_is_declared() {
-        let mut module = dr::load_bytes(module(4, false)).unwrap();
-        let capability = vec![Operand::Capability(Capability::Int64)];
-        module.capabilities.push(Instruction::new(Op::Capability, None, None, capability));
-        let message = wrong(&bytes(&module));
-        assert!(message.starts_with("it has `u64` or `i64`, in helpers too"), "{message}");
+        for (capability, part) in [
+            (Capability::GroupNonUniformBallot, "it has operations of subgroups, in helpers too"),
+            (Capability::Int64, "it has `u64` or `i64`, in helpers too"),
+        ] {
+            let mut module = dr::load_bytes(module(4, false)).unwrap();
+            let capability = vec![Operand::Capability(capability)];
+            module.capabilities.push(Instruction::new(Op::Capability, None, None, capability));
+            let message = wrong(&bytes(&module));
+            assert!(message.starts_with(part), "{message}");
+        }
     }
 
     #[test]

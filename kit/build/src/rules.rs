@@ -368,7 +368,7 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// A function of core that loops, or that makes an integer of bytes; or an operation of a subgroup.
+    /// A function of core that loops, or that makes an integer of bytes.
     fn call(&mut self, call: &ExprCall) {
         let Expr::Path(function) = &*call.func else { return };
         let segments = &function.path.segments;
@@ -381,13 +381,6 @@ impl<'a> Rules<'a> {
                     span,
                     &what,
                     "GPUs have no pointers; shift the bytes, and put them together with `|`",
-                );
-            }
-            Some(name) if name.starts_with("subgroup_") => {
-                self.report(
-                    span,
-                    &what,
-                    "not every GPU has it; exchange values in workgroup memory",
                 );
             }
             _ if names.iter().rev().nth(1).is_some_and(|module| module == "iter") => {
@@ -705,7 +698,6 @@ mod tests {
             ("let y = z.log10();", "`.log10()`", "LOG10_E`"),
             ("let y = z.to_be_bytes();", "`.to_be_bytes()`", "mask with 0xff"),
             ("let y = u32::from_be_bytes(z);", "`u32::from_be_bytes()`", "shift the bytes"),
-            ("let y = arch::subgroup_i_add(z);", "`arch::subgroup_i_add()`", "in workgroup memory"),
             ("z.swap(1, 2);", "`.swap()`", "keep one of both in a variable"),
             ("let y = z == [1, 2];", "a comparison of arrays", "compare the elements"),
             ("let y = z.to_array() == w;", "a comparison of arrays", "compare the elements"),

@@ -7,8 +7,9 @@ use naga::front::spv;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 /// What a kernel can need, and an adapter may have.
-const OFFERED: Capabilities =
-    Capabilities::SHADER_INT64.union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS);
+const OFFERED: Capabilities = Capabilities::SUBGROUP
+    .union(Capabilities::SHADER_INT64)
+    .union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS);
 
 /// Reads a module.
 pub fn read(spirv: &[u8]) -> Result<Module> {
@@ -52,10 +53,17 @@ pub fn to_wgsl(spirv: &[u8]) -> Result<String> {
     const LARGEST: &str = "340282350000000000000000000000000000000f";
     const LARGEST_IN_HEX: &str = "0x1.fffffep+127f";
     let module = read(spirv)?;
-    let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
-    let info = info.map_err(|error| {
-        anyhow::anyhow!("the module is not for browsers: {:?}", error.into_inner())
-    })?;
+    let validate = |offered| {
+        Validator::new(ValidationFlags::all(), offered).validate(&module).map_err(Box::new)
+    };
+    // browsers want to be told of subgroups, and naga does not tell them
+    let (info, head) = match validate(Capabilities::empty()) {
+        Ok(info) => (info, ""),
+        Err(error) => match validate(Capabilities::SUBGROUP) {
+            Ok(info) => (info, "enable subgroups;\n\n"),
+            Err(_) => bail!("the module is not for browsers: {:?}", error.into_inner()),
+        },
+    };
     let text = write_string(&module, &info, WriterFlags::empty())?;
-    Ok(text.replace(LARGEST, LARGEST_IN_HEX))
+    Ok(head.to_owned() + &text.replace(LARGEST, LARGEST_IN_HEX))
 }

@@ -41,6 +41,7 @@ pub struct Cpu {
     pub(crate) check_races: bool,
     pub(crate) thorough: Option<u64>,
     pub(crate) flush_denormals: bool,
+    pub(crate) subgroup_size: u32,
     /// Whether kernels run as their variants.
     variants: bool,
     instruction_set: InstructionSet,
@@ -55,6 +56,15 @@ impl Cpu {
         let instruction_set = instruction_set.unwrap_or(best);
         if !instruction_set.is_available() {
             let reason = format!("this CPU does not have {}", instruction_set.as_str());
+            return Err(Error::Argument { reason });
+        }
+        let sizes = muslin_kernel::subgroup::SIZES;
+        let of_seed = |seed| sizes[(seed % sizes.len() as u64) as usize];
+        let subgroup_size =
+            options.subgroup_size.unwrap_or_else(|| options.thorough.map_or(32, of_seed));
+        if !sizes.contains(&subgroup_size) {
+            let reason =
+                format!("no subgroup has {subgroup_size} lanes: its size is one of {sizes:?}");
             return Err(Error::Argument { reason });
         }
         panics::install();
@@ -72,6 +82,7 @@ impl Cpu {
             check_races,
             thorough: options.thorough,
             flush_denormals: options.flush_denormals,
+            subgroup_size,
             variants,
             instruction_set,
             pool_memory,

@@ -29,6 +29,8 @@ struct Launch<'a> {
     /// The workgroups that are not additional.
     needed: UVec3,
     is_checked: bool,
+    /// Number of lanes of a subgroup, in a kernel that declares them.
+    subgroup_size: Option<u32>,
     mode: RunMode,
 }
 
@@ -96,7 +98,15 @@ impl Launch<'_> {
             CpuRun::Invocation(run) => unsafe {
                 let places = [size, place, self.workgroups];
                 let is_watched = self.is_checked || cfg!(debug_assertions);
-                workgroup::run_bound(self.shared, run, self.bindings, places, order, is_watched)
+                workgroup::run_bound(
+                    self.shared,
+                    run,
+                    self.bindings,
+                    places,
+                    order,
+                    self.subgroup_size,
+                    is_watched,
+                )
             },
         }
     }
@@ -150,6 +160,9 @@ impl Cpu {
             workgroups: job.workgroups.all.into(),
             needed: job.workgroups.needed.into(),
             is_checked: self.check_races,
+            subgroup_size: info
+                .subgroups
+                .then_some(mode.subgroup_size.unwrap_or(self.subgroup_size)),
             mode,
         };
         self.launch(&launch)?;

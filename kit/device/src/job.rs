@@ -30,6 +30,8 @@ pub struct RunMode {
     pub is_flushing: bool,
     /// How its arithmetic is changed, in a kernel that has such a run.
     pub arithmetic: Option<Arithmetic>,
+    /// Number of lanes of a subgroup, if it is not the device's.
+    pub subgroup_size: Option<u32>,
 }
 
 /// The workgroups of a dispatch, along each axis.

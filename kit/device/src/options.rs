@@ -79,12 +79,15 @@ pub struct DeviceOptions {
     /// there is a size. For tests of kernels: the additional invocations must do nothing.
     pub extra_workgroup: bool,
     /// With [`check_races`](Self::check_races), a seed: each dispatch runs in a random order of workgroups and invocations, on one
-    /// thread, once more in the reverse order, once more without denormals (on x86-64), and once more with fused and with regrouped
-    /// arithmetic (in debug builds). The results must agree; where the arithmetic is another one, the integers and which floats are finite, and where
-    /// it is regrouped, floats to a thousandth.
+    /// thread, once more in the reverse order, once more without denormals (on x86-64), once more with fused and with regrouped
+    /// arithmetic (in debug builds), and, if it has subgroups, with all their sizes. The results must agree; where the arithmetic is another one, the integers and which
+    /// floats are finite, and where it is regrouped, floats to a thousandth.
     pub thorough: Option<u64>,
     /// Whether the CPU flushes denormals to zero, as some GPUs do: in arithmetic, and where numbers are compared. Only on x86-64.
     pub flush_denormals: bool,
+    /// Number of lanes of a [subgroup](muslin_kernel::subgroup) on the CPU, one of its [sizes](muslin_kernel::subgroup::SIZES). By default 32, and on a
+    /// [thorough](Self::thorough) device one that the seed chooses.
+    pub subgroup_size: Option<u32>,
     /// Instruction set of kernels with lanes, on the CPU. By default, the best one of the CPU.
     pub instruction_set: Option<InstructionSet>,
     /// Whether a GPU runs the [variant](muslin_kernel::KernelInfo::variant) of a kernel that has one, or its plain
@@ -146,6 +149,7 @@ setters! {
     check_races: bool,
     extra_workgroup: bool,
     flush_denormals: bool,
+    subgroup_size: impl Into<Option<u32>>,
     instruction_set: impl Into<Option<InstructionSet>>,
     variants: impl Into<Option<bool>>,
     like_a_card: bool,

@@ -1,7 +1,7 @@
 //! Runs each dispatch in several ways that must agree, because devices differ in them: one of them is without denormals.
 
 use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, is_far};
-use muslin_kernel::{KernelInfo, running};
+use muslin_kernel::{KernelInfo, running, subgroup};
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
@@ -35,6 +35,8 @@ enum Other {
     Flushing,
     /// Other arithmetic.
     Arithmetic(Arithmetic),
+    /// Subgroups of other sizes: the usual one and this.
+    Subgroups([u32; 2]),
 }
 
 /// Runs a dispatch in an order of the invocations, and in all other ways. Any two invocations are run in both orders.
@@ -48,7 +50,11 @@ pub fn run(cpu: &Cpu, job: &KernelJob<'_>, seed: u64) -> Result<(), String> {
     let arithmetic = [Arithmetic::Fused, Arithmetic::Regrouped].into_iter();
     let changes = |change| job.info.run_arithmetic[change as usize].is_some() && !is_variant;
     let arithmetic = arithmetic.filter(|change| changes(*change)).map(Other::Arithmetic);
-    for other in [Other::Order, Other::Flushing].into_iter().chain(arithmetic) {
+    let sizes = subgroup::SIZES.into_iter().filter(|size| *size != cpu.subgroup_size);
+    let sizes = sizes
+        .filter(|_| job.info.subgroups)
+        .map(|size| Other::Subgroups([cpu.subgroup_size, size]));
+    for other in [Other::Order, Other::Flushing].into_iter().chain(arithmetic).chain(sizes) {
         restore(&outputs, &before);
         running::take_regrouped();
         let monitors = other.run(cpu, job, order)?;
@@ -78,6 +84,7 @@ impl Other {
             Self::Order => RunMode { order: Some(Order { is_reversed: true, ..order }), ..usual },
             Self::Flushing => RunMode { is_flushing: true, ..usual },
             Self::Arithmetic(change) => RunMode { arithmetic: Some(change), ..usual },
+            Self::Subgroups([_, size]) => RunMode { subgroup_size: Some(size), ..usual },
         }
     }
 
@@ -104,6 +111,7 @@ impl Other {
             Self::Arithmetic(Arithmetic::Regrouped) => {
                 "where sums and products are regrouped".into()
             }
+            Self::Subgroups([_, size]) => format!("in subgroups of {size}"),
         }
     }
 
@@ -114,6 +122,9 @@ impl Other {
             Self::Order => format!(
                 "element {element} of `{name}` depends on the order of invocations: it is {usual}, and {other} {place} (seed {seed})"
             ),
+            Self::Subgroups([size, _]) => format!(
+                "element {element} of `{name}` depends on the size of subgroups: it is {usual} in subgroups of {size}, and {other} {place}"
+            ),
             _ => format!(
                 "element {element} of `{name}` depends on the device: it is {usual}, and {other} {place}"
             ),
@@ -122,13 +133,13 @@ impl Other {
 
     /// Whether two words of an output agree. How much a float may differ between devices is not known here: only what is regrouped must not
     /// make another number of it. Integers that are changed
-    /// atomically can be floats, too: their bits for a maximum, or fixed-point sums of them.
+    /// atomically can be floats, too: their bits for a maximum, or fixed-point sums of them. Subgroups change neither.
     fn agree(self, [one, other]: [[u8; 4]; 2], is_float: bool, is_atomic: bool) -> bool {
         let [a, b] = [one, other].map(f32::from_ne_bytes);
         let may_be_far = !matches!(self, Self::Arithmetic(Arithmetic::Regrouped));
         let may_differ = match is_float {
             true => a.is_finite() == b.is_finite() && (may_be_far || !is_far(a, b)),
-            false => is_atomic,
+            false => is_atomic && !matches!(self, Self::Subgroups(..)),
         };
         one == other || may_differ && !matches!(self, Self::Order)
     }

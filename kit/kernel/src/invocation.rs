@@ -20,6 +20,9 @@ pub struct Invocation {
     pub size: UVec3,
     /// Number of items along x that an invocation handles.
     pub each: u32,
+    /// Size of a subgroup, and the invocation's lane in its own, in a kernel that declares `subgroups`.
+    #[cfg(target_arch = "spirv")]
+    pub subgroup: glam::UVec2,
     /// Called by [`Invocation::barrier`]. The executor sets it.
     #[cfg(not(target_arch = "spirv"))]
     pub wait: fn(&'static Location<'static>),
@@ -35,6 +38,8 @@ impl Invocation {
             workgroups,
             size,
             each: 1,
+            #[cfg(target_arch = "spirv")]
+            subgroup: glam::UVec2::ZERO,
             #[cfg(not(target_arch = "spirv"))]
             wait: no_barrier,
         }
@@ -45,6 +50,14 @@ impl Invocation {
     #[must_use]
     pub fn with_items(self, each: u32) -> Self {
         Self { each, ..self }
+    }
+
+    /// The same invocation, in a lane of a subgroup of `size`.
+    #[cfg(target_arch = "spirv")]
+    #[inline(always)]
+    #[must_use]
+    pub fn with_subgroup(self, size: u32, lane: u32) -> Self {
+        Self { subgroup: glam::UVec2::new(size, lane), ..self }
     }
 
     /// Position in the dispatch, per axis.

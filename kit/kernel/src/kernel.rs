@@ -134,6 +134,8 @@ pub struct KernelInfo {
     pub iterations: Option<u32>,
     /// Whether drivers may fuse and regroup its arithmetic.
     pub fused: bool,
+    /// Whether it has operations of [subgroups](crate::subgroup).
+    pub subgroups: bool,
     /// Whether the CPU runs workgroups with the same z one after another, on one thread.
     pub z_serial: bool,
     /// Whether the CPU runs workgroups with the same x and y one after another.

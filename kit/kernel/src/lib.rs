@@ -79,6 +79,7 @@ pub mod samples;
 pub mod shared_tile;
 #[cfg(not(target_arch = "spirv"))]
 mod stop;
+pub mod subgroup;
 #[cfg(not(target_arch = "spirv"))]
 #[macro_use]
 mod wide_macros;

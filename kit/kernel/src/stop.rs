@@ -11,11 +11,12 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
-use glam::UVec3;
+use glam::{UVec3, UVec4};
 
 use crate::running::unlinear;
+use crate::subgroup::Operation;
 
-/// The barrier that an invocation waits at. It is small, because each wait copies it.
+/// What an invocation waits at: a barrier, or an operation of its subgroup. It is small, because each wait copies it.
 #[derive(Clone, Copy)]
 pub struct Stop {
     /// Place in the source.
@@ -24,6 +25,17 @@ pub struct Stop {
     pub path: &'static [Step],
 }
 
+/// What an invocation gives to an operation of its subgroup, and then the result.
+#[derive(Clone, Copy)]
+pub struct Meeting {
+    pub operation: Operation,
+    /// What [`Operation::of`] takes or gives.
+    pub value: UVec4,
+}
+
+/// A stop, and the subgroup's operation there, if it is no barrier; `None` for an invocation that has ended.
+type Place = Option<(Stop, Option<Operation>)>;
+
 impl PartialEq for Stop {
     fn eq(&self, other: &Self) -> bool {
         // mostly it is one place in memory: its text takes longer to compare than an invocation to wait
@@ -31,18 +43,69 @@ impl PartialEq for Stop {
     }
 }
 
-/// Fails if not all invocations wait at one barrier, and not all have ended: lists which wait at which barrier.
+/// Runs the operations that subgroups wait at: their lanes go on, with the results. Returns whether there was one.
+pub fn subgroups_meet(
+    size: UVec3,
+    subgroup_size: u32,
+    stops: &mut [Option<Stop>],
+    meetings: &mut [Option<Meeting>],
+) -> Result<bool, String> {
+    let mut met = false;
+    let lanes = subgroup_size as usize;
+    let subgroups = stops.chunks_mut(lanes).zip(meetings.chunks_mut(lanes));
+    for (subgroup, (stops, meetings)) in subgroups.enumerate() {
+        if meetings.iter().all(Option::is_none) {
+            continue;
+        }
+        let place = |(stop, meeting): (&Option<Stop>, &Option<Meeting>)| -> Place {
+            stop.map(|stop| (stop, meeting.map(|meeting| meeting.operation)))
+        };
+        let places: Vec<_> = stops.iter().zip(&*meetings).map(place).collect();
+        let Some((stop, Some(operation))) =
+            places[0].filter(|_| places.iter().all(|of| *of == places[0]))
+        else {
+            let reason = divergence("a subgroup's operation", &places, subgroup * lanes, size);
+            return Err(format!("{reason}, in a subgroup of {subgroup_size}"));
+        };
+        let given: Vec<_> = meetings.iter().flatten().map(|meeting| meeting.value).collect();
+        for (lane, meeting) in meetings.iter_mut().enumerate() {
+            let value = operation.of(lane, &given).map_err(|asked| {
+                let place = unlinear((subgroup * lanes + lane) as u64, size);
+                let present = given.len();
+                format!(
+                    "invocation {place} asks for the value of lane {asked} of its subgroup, which has {present} lanes, at {}",
+                    stop.at
+                )
+            })?;
+            *meeting = Some(Meeting { operation, value });
+        }
+        stops.fill(None);
+        met = true;
+    }
+    Ok(met)
+}
+
+/// Fails if not all invocations wait at one barrier, and not all have ended.
 pub fn barrier_is_reached(size: UVec3, stops: &[Option<Stop>]) -> Result<(), String> {
     if stops.iter().all(|stop| *stop == stops[0]) {
         return Ok(());
     }
+    let places: Vec<_> = stops.iter().map(|stop| stop.map(|stop| (stop, None))).collect();
+    Err(divergence("a barrier", &places, 0, size))
+}
+
+/// Lists which invocations wait at which barrier or operation, if they do not all wait at the same one. `begin` is the first one's index.
+fn divergence(what: &str, places: &[Place], begin: usize, size: UVec3) -> String {
     let (first, others): (Vec<_>, Vec<_>) =
-        (0..stops.len()).partition(|&index| stops[index] == stops[0]);
-    let ways = [stops[first[0]], stops[others[0]]];
+        (0..places.len()).partition(|&index| places[index] == places[0]);
+    let ways = [places[first[0]], places[others[0]]];
     let side = |indices: &[usize]| {
-        let place = unlinear(indices[0] as u64, size);
-        let does = match stops[indices[0]] {
-            Some(stop) => format!("waits at the barrier of {}{}", stop.at, way(stop, ways)),
+        let place = unlinear((begin + indices[0]) as u64, size);
+        let does = match places[indices[0]] {
+            Some((stop, operation)) => {
+                let kind = if operation.is_some() { "operation" } else { "barrier" };
+                format!("waits at the {kind} of {}{}", stop.at, way(stop, ways))
+            }
             None => "has ended".to_owned(),
         };
         match indices.len() - 1 {
@@ -52,12 +115,12 @@ pub fn barrier_is_reached(size: UVec3, stops: &[Option<Stop>]) -> Result<(), Str
     };
     let first = side(&first);
     let others = side(&others);
-    Err(format!("a barrier in divergent control flow: {first}, while {others}"))
+    format!("{what} in divergent control flow: {first}, while {others}")
 }
 
 /// How an invocation came to its stop, if two came to the same one on different paths.
-fn way(own: Stop, ways: [Option<Stop>; 2]) -> String {
-    let [Some(first), Some(second)] = ways else { return String::new() };
+fn way(own: Stop, ways: [Place; 2]) -> String {
+    let [Some((first, _)), Some((second, _))] = ways else { return String::new() };
     if first.at != second.at {
         return String::new();
     }

@@ -36,13 +36,14 @@ use std::{format, vec};
 use bytemuck::Pod;
 use corosensei::stack::DefaultStack;
 use corosensei::{Coroutine, Yielder};
-use glam::UVec3;
+use glam::{UVec3, UVec4};
 
 use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
 use crate::memory::{AccessMonitor, Shared};
 use crate::running::{self, unlinear};
-use crate::stop::{Stop, barrier_is_reached};
+use crate::stop::{Meeting, Stop, barrier_is_reached, subgroups_meet};
+use crate::subgroup::Operation;
 use crate::workgroup_memory::WorkgroupMemory;
 use crate::{phase, stop};
 
@@ -58,10 +59,43 @@ type Body = Coroutine<(), Stop, (), DefaultStack>;
 std::thread_local! {
     static STACKS: RefCell<Vec<DefaultStack>> = const { RefCell::new(Vec::new()) };
     static CURRENT: Cell<*const Yielder<(), Stop>> = const { Cell::new(ptr::null()) };
+    /// Number of lanes of a subgroup, in a kernel that declares them.
+    static SUBGROUP_SIZE: Cell<Option<u32>> = const { Cell::new(None) };
+    /// What the invocation that stops gives to its subgroup, and what the one that goes on gets from it.
+    static MEETING: Cell<Option<Meeting>> = const { Cell::new(None) };
 }
 
 /// Suspends the current coroutine until its workgroup has reached the barrier.
 fn wait(at: &'static Location<'static>) {
+    suspend(at);
+}
+
+/// Suspends the current coroutine until its subgroup has reached the operation, to which it gives at most four words. Returns the
+/// operation's result.
+#[track_caller]
+pub(crate) fn meet(operation: Operation, given: &[u32]) -> UVec4 {
+    subgroup_size();
+    let mut value = UVec4::ZERO;
+    value.as_mut()[..given.len()].copy_from_slice(given);
+    MEETING.set(Some(Meeting { operation, value }));
+    suspend(Location::caller());
+    MEETING.take().expect("a subgroup goes on with a result").value
+}
+
+/// Number of lanes of a subgroup.
+#[track_caller]
+pub(crate) fn subgroup_size() -> u32 {
+    let size = SUBGROUP_SIZE.get().filter(|_| !CURRENT.get().is_null());
+    size.unwrap_or_else(|| match running::current() {
+        Some(_) => panic!("a kernel with subgroups says so, `#[kernel(.., subgroups)]`"),
+        None => panic!(
+            "a subgroup, and no other invocation runs: a test calls a kernel with subgroups through `muslin::workgroup::Workgroup`"
+        ),
+    })
+}
+
+#[inline(always)]
+fn suspend(at: &'static Location<'static>) {
     let yielder = CURRENT.get();
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
     let invocation = running::invocation();
@@ -80,7 +114,7 @@ fn wait(at: &'static Location<'static>) {
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
 /// `shared` after the bindings, and every access to it is checked if it `is_watched`. `order` has the indices of the invocations, if it
-/// is not the usual one.
+/// is not the usual one. `subgroup_size` is set for a kernel with subgroups.
 ///
 /// # Errors
 /// A mistake in its use of barriers or memory.
@@ -95,6 +129,7 @@ pub unsafe fn run_bound(
     bindings: &[CpuBinding],
     [size, workgroup, workgroups]: [UVec3; 3],
     order: Option<&[u64]>,
+    subgroup_size: Option<u32>,
     is_watched: bool,
 ) -> Result<(), String> {
     let watch = |shared: &SharedInfo| is_watched.then(|| WorkgroupMemory::new(shared.len));
@@ -118,7 +153,7 @@ pub unsafe fn run_bound(
     // a thread, so only one at a time touches memory.
     let body = |id| unsafe { run(bindings, id) };
     let place = Invocation::new(UVec3::ZERO, workgroup, workgroups, size);
-    run_to_end(place, &body, order).map_err(|reason| match reason {
+    run_to_end(place, &body, order, subgroup_size).map_err(|reason| match reason {
         Failure::Divergence(reason) => format!("{reason}, in workgroup {workgroup}"),
         Failure::Memory(reason) => reason,
     })
@@ -136,10 +171,12 @@ fn run_to_end(
     place: Invocation,
     run: &dyn Fn(Invocation),
     order: Option<&[u64]>,
+    subgroup_size: Option<u32>,
 ) -> Result<(), Failure> {
     let size = place.size;
     phase::next();
     phase::begin(size);
+    SUBGROUP_SIZE.set(subgroup_size);
     let new = |index: u32| {
         let id = Invocation { local: unlinear(index.into(), size), wait, ..place };
         let body = move |yielder: &Yielder<(), Stop>, ()| {
@@ -152,8 +189,10 @@ fn run_to_end(
     };
     let mut invocations: Vec<Body> = (0..size.element_product()).map(new).collect();
     let mut stops = vec![None; invocations.len()];
+    // empty without subgroups
+    let mut meetings = vec![None; subgroup_size.map_or(0, |_| invocations.len())];
     loop {
-        if let Err(panic) = go_on(&mut invocations, &mut stops, order) {
+        if let Err(panic) = go_on(&mut invocations, &mut stops, &mut meetings, order) {
             give_up(invocations);
             // it may have panicked because of a wrong value
             match phase::take_conflict() {
@@ -161,8 +200,14 @@ fn run_to_end(
                 None => resume_unwind(panic),
             }
         }
-        let failure = match barrier_is_reached(size, &stops) {
-            Ok(()) => phase::take_conflict().map(Failure::Memory),
+        let subgroups = |of| subgroups_meet(size, of, &mut stops, &mut meetings);
+        let failure = match subgroup_size.map_or(Ok(false), subgroups) {
+            // those that wait at barriers go on waiting
+            Ok(true) => continue,
+            Ok(false) => match barrier_is_reached(size, &stops) {
+                Ok(()) => phase::take_conflict().map(Failure::Memory),
+                Err(reason) => Some(Failure::Divergence(reason)),
+            },
             Err(reason) => Some(Failure::Divergence(reason)),
         };
         if let Some(failure) = failure {
@@ -187,6 +232,7 @@ fn run_to_end(
 fn go_on(
     invocations: &mut [Body],
     stops: &mut [Option<Stop>],
+    meetings: &mut [Option<Meeting>],
     order: Option<&[u64]>,
 ) -> std::thread::Result<()> {
     for step in 0..invocations.len() {
@@ -195,7 +241,13 @@ fn go_on(
         if invocation.done() || stops[index].is_some() {
             continue;
         }
+        if let Some(meeting) = meetings.get(index) {
+            MEETING.set(*meeting);
+        }
         stops[index] = catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield()))?;
+        if let Some(meeting) = meetings.get_mut(index) {
+            *meeting = MEETING.take();
+        }
     }
     CURRENT.set(ptr::null());
     Ok(())
@@ -223,19 +275,26 @@ pub struct Workgroup {
     size: UVec3,
     place: UVec3,
     among: UVec3,
+    subgroup_size: u32,
 }
 
 impl Workgroup {
     /// The only workgroup of a dispatch. `size` is the kernel's `threads`.
     #[must_use]
     pub fn new(size: [u32; 3]) -> Self {
-        Self { size: size.into(), place: UVec3::ZERO, among: UVec3::ONE }
+        Self { size: size.into(), place: UVec3::ZERO, among: UVec3::ONE, subgroup_size: 32 }
     }
 
     /// Places the workgroup at `place` in a dispatch of `among` workgroups.
     #[must_use]
     pub fn at(self, place: [u32; 3], among: [u32; 3]) -> Self {
         Self { place: place.into(), among: among.into(), ..self }
+    }
+
+    /// Divides the workgroup into subgroups of `size`: one of [`SIZES`](crate::subgroup::SIZES). Otherwise they have 32 lanes.
+    #[must_use]
+    pub fn subgroups(self, size: u32) -> Self {
+        Self { subgroup_size: size, ..self }
     }
 
     /// Calls `kernel` for every invocation.
@@ -246,7 +305,7 @@ impl Workgroup {
     #[track_caller]
     pub fn run(&self, kernel: impl Fn(Invocation)) {
         let place = Invocation::new(UVec3::ZERO, self.place, self.among, self.size);
-        match run_to_end(place, &kernel, None) {
+        match run_to_end(place, &kernel, None, Some(self.subgroup_size)) {
             Ok(()) => {}
             Err(Failure::Divergence(reason) | Failure::Memory(reason)) => panic!("{reason}"),
         }

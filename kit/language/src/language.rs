@@ -3,7 +3,8 @@
 use muslin_check::prelude::*;
 use muslin_language_kernels::language::{
     AS_WRITTEN_ROWS, AsWrittenInputs, BYTES, ByteHistogramInputs, COMPARED_ROWS, ComparedInputs,
-    LanguageParams, MAX_ROW, SortParams, SortRowsInputs,
+    KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, RowParams, ScanAndShuffleInputs,
+    SortParams, SortRowsInputs,
 };
 
 case!(pub ByteHistogram(ByteHistogramInputs));
@@ -47,6 +48,69 @@ impl Parity for SortRows {
         rows.for_each(<[u32]>::sort_unstable);
         listed(sorted)
     }
+}
+
+case!(pub KeepPositive(KeepPositiveInputs));
+
+impl Parity for KeepPositive {
+    fn sets() -> Vec<(String, Self)> {
+        let set = |[rows, columns]: [u32; 2]| {
+            let mut random = Random::new(columns.into());
+            let number = |bits: u32| (bits % 2049) as f32 / 8.0 - 128.0;
+            let values: Vec<_> = (0..rows * columns).map(|_| number(random.bits())).collect();
+            let inputs = KeepPositiveInputs {
+                params: RowParams { rows, columns },
+                kept: unwritten(values.len()),
+                output: unwritten(4 * rows as usize),
+                values,
+            };
+            (format!("{rows} rows of {columns}"), Self(inputs))
+        };
+        [[5, 1], [1, 31], [3, 96], [2, 97], [4, 1000], [1, MAX_COLUMNS]].map(set).into()
+    }
+
+    /// The kept values come in any order, so they are sorted.
+    fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
+        outputs[0].values.chunks_exact_mut(self.params.columns as usize).for_each(sort);
+        outputs
+    }
+
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
+        let of = |row: &[f32]| {
+            let values: Vec<_> = row.iter().copied().map(f64::from).collect();
+            let mut kept: Vec<_> = values.iter().map(|value| value.max(0.0)).collect();
+            let count = kept.iter().filter(|value| **value > 0.0).count() as f64;
+            let [low, high] = [f64::min, f64::max]
+                .map(|of| values.iter().copied().reduce(of).expect("a row has columns"));
+            sort(&mut kept);
+            match output {
+                "kept" => listed(kept),
+                // multiples of 1/8 up to 128: their sums are exact in any order
+                _ => listed([count, values.iter().sum(), low, high]),
+            }
+        };
+        self.values.chunks_exact(self.params.columns as usize).flat_map(of).collect()
+    }
+}
+
+case!(pub ScanAndShuffle(ScanAndShuffleInputs));
+
+impl Parity for ScanAndShuffle {
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, _, random| {
+            let values = (0..count).map(|_| random.bits()).collect();
+            let found = unwritten(4 * count as usize);
+            Self(ScanAndShuffleInputs { params: LanguageParams { count }, values, found })
+        })
+    }
+
+    fn exact_at(&self, _: &str, _: usize) -> Option<Rounded> {
+        Some(Rounded::exact(0.0))
+    }
+}
+
+fn sort(row: &mut [f64]) {
+    row.sort_unstable_by(f64::total_cmp);
 }
 
 /// Rounds to an `f32`.

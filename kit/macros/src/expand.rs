@@ -163,8 +163,16 @@ fn entry_point(kernel: &Kernel, is_variant: bool) -> TokenStream {
     });
     let each = each(kernel);
     // bindings can have these names, too
-    let [id, local, workgroup, workgroups] =
-        ["id", "local", "workgroup", "workgroups"].map(|name| Ident::new(name, Span::mixed_site()));
+    let [id, local, workgroup, workgroups, size, lane_index] =
+        ["id", "local", "workgroup", "workgroups", "size", "lane"]
+            .map(|name| Ident::new(name, Span::mixed_site()));
+    let lanes = kernel.subgroups.then(|| {
+        quote! {
+            #[spirv(subgroup_size)] #size: u32,
+            #[spirv(subgroup_local_invocation_id)] #lane_index: u32,
+        }
+    });
+    let subgroup = kernel.subgroups.then(|| quote!(.with_subgroup(#size, #lane_index)));
     quote! {
         #[cfg(target_arch = "spirv")]
         #[allow(missing_docs, clippy::too_many_arguments)]
@@ -173,9 +181,10 @@ fn entry_point(kernel: &Kernel, is_variant: bool) -> TokenStream {
             #[spirv(local_invocation_id)] #local: ::muslin::dependencies::glam::UVec3,
             #[spirv(workgroup_id)] #workgroup: ::muslin::dependencies::glam::UVec3,
             #[spirv(num_workgroups)] #workgroups: ::muslin::dependencies::glam::UVec3,
+            #lanes
             #(#parameters),*
         ) {
-            let #id = ::muslin::invocation::Invocation::new(#local, #workgroup, #workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).with_items(#each);
+            let #id = ::muslin::invocation::Invocation::new(#local, #workgroup, #workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).with_items(#each) #subgroup;
             self::#name #lane (#id, #(#arguments),*);
         }
     }
@@ -232,7 +241,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let run = cpu_run(kernel);
     let run_variant = run_variant(kernel);
     let run_arithmetic = run_arithmetic(kernel);
-    let Attribute { fused, z_serial, z_innermost, .. } = &kernel.attribute;
+    let Attribute { fused, subgroups, z_serial, z_innermost, .. } = &kernel.attribute;
     let each = each(kernel);
     let limit = limit(kernel);
     let over = over(kernel);
@@ -251,6 +260,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 workgroup_size: [#x, #y, #z],
                 iterations: #iterations,
                 fused: #fused,
+                subgroups: #subgroups,
                 z_serial: #z_serial,
                 z_innermost: #z_innermost,
                 each: #each,
@@ -274,6 +284,7 @@ fn info(kernel: &Kernel) -> TokenStream {
             let invocations: u32 = size[0].saturating_mul(size[1]).saturating_mul(size[2]);
             ::core::assert!(invocations > 0 && invocations <= 256 && size[2] <= 64, #invocations);
             ::core::assert!(!#z_serial || size[2] == 1, "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`");
+            ::core::assert!(!#subgroups || size[1] == 1 && size[2] == 1, "`subgroups` takes workgroups along x: `threads(x)`");
             ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, #memory);
         };
     }

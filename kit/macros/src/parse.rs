@@ -80,6 +80,8 @@ pub struct Attribute {
     pub fused: bool,
     /// Whether it has barriers without workgroup memory.
     pub storage_barriers: bool,
+    /// Whether it has operations of subgroups.
+    pub subgroups: bool,
     /// On the CPU the workgroups of one z run one after another, on one thread.
     pub z_serial: bool,
     /// On the CPU the workgroups of one x and y run one after another.
@@ -161,7 +163,8 @@ impl Kernel {
             return Err(Error::new(name.span(), "`unordered` names bindings of the type `Write`"));
         }
         if kernel.lanes.is_some() && kernel.waits() {
-            let message = "a kernel with workgroup memory or storage barriers has no `lanes`";
+            let message =
+                "a kernel with workgroup memory, storage barriers or subgroups has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
         Ok(kernel)
@@ -179,7 +182,7 @@ impl Kernel {
 
     /// Whether the invocations of a workgroup can wait for each other.
     pub fn waits(&self) -> bool {
-        self.storage_barriers || self.has(|role| matches!(role, Role::Shared(_)))
+        self.storage_barriers || self.subgroups || self.has(|role| matches!(role, Role::Shared(_)))
     }
 
     /// Whether it has a second entry point.
@@ -202,7 +205,7 @@ impl Kernel {
     }
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `z_serial` or `z_innermost`, `lanes` or
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial` or `z_innermost`, `lanes` or
 /// `lanes(field)`, `over(items, ..)`, `counts(field, ..)`, and `unordered(binding, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
     let mut threads = None;
@@ -211,6 +214,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
         let flags = [
             ("fused", &mut found.fused),
             ("storage_barriers", &mut found.storage_barriers),
+            ("subgroups", &mut found.subgroups),
             ("z_serial", &mut found.z_serial),
             ("z_innermost", &mut found.z_innermost),
         ];
@@ -246,7 +250,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
             return Ok(());
         }
         if !meta.path.is_ident("threads") {
-            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `over(items, ..)`, `counts(field, ..)` or `unordered(binding, ..)`";
+            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `over(items, ..)`, `counts(field, ..)` or `unordered(binding, ..)`";
             return Err(meta.error(expected));
         }
         // lengths of workgroup memory are `usize`, and one constant serves both

@@ -135,8 +135,10 @@ fn kernels_that_wait_have_no_lanes() {
         Kernel::parse(quote!(threads(64), lanes(count), #options), function).err()
     };
     assert!(kernel(quote!()).is_none());
-    let message = kernel(quote!(storage_barriers)).unwrap().to_string();
-    assert!(message.ends_with("or storage barriers has no `lanes`"), "{message}");
+    for options in [quote!(storage_barriers), quote!(subgroups)] {
+        let message = kernel(options).unwrap().to_string();
+        assert!(message.ends_with("storage barriers or subgroups has no `lanes`"), "{message}");
+    }
 }
 
 #[test]

@@ -122,6 +122,9 @@ pub struct Interface {
     pub bindings: Vec<Binding>,
     /// Arrays in workgroup memory.
     pub shared: Vec<Shared>,
+    /// Whether it has operations of subgroups, which a device or a browser can lack.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub subgroups: bool,
     /// Bindings that are 64-bit integers, which a device can lack; to the host, these are two elements.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sums: Vec<String>,
@@ -232,6 +235,7 @@ impl Interface {
             each: kernel.each,
             bindings: kernel.bindings.iter().map(binding).collect(),
             shared: point.shared.iter().map(shared).collect(),
+            subgroups: kernel.subgroups,
             sums: point.sums.iter().map(|&name| name.to_owned()).collect(),
         }
     }
@@ -265,6 +269,7 @@ mod tests {
                     element_bytes: 4,
                 }],
                 shared: Vec::new(),
+                subgroups: false,
                 sums: Vec::new(),
             },
         }

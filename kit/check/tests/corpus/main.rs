@@ -30,6 +30,7 @@ corpus! {
         barrier_in_each_branch helper_in_both_branches rounds_apart barrier_for_storage
         barrier_for_all_workgroups storage_barrier_is_missing storage_barrier_for_all_workgroups
     }
+    subgroups { lanes_without_items size_is_written_out }
     workgroup_memory { end_of_the_last_tile column_is_not_the_index counts_read_too_soon }
     storage_races {
         scatter_with_duplicates shift_in_place atomic_and_plain

@@ -9,6 +9,7 @@ extern crate muslin_kernel as muslin;
 mod broken;
 mod sizes;
 mod storage_barriers;
+mod subgroups;
 mod thorough;
 
 use std::process::Command;

@@ -137,8 +137,8 @@ pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Devic
         }
         SpirvPath::Naga => (wgpu::Features::empty(), wgpu::ExperimentalFeatures::disabled()),
     };
-    // for users who measure kernels
-    let optional = wgpu::Features::TIMESTAMP_QUERY;
+    // for users who measure kernels, and for kernels that declare subgroups
+    let optional = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::SUBGROUP;
     let device = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
         label: Some("muslin"),
         required_features: required_features | (adapter.features() & optional),

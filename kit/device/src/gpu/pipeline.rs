@@ -71,6 +71,7 @@ impl Pipelines {
             return Ok(pipeline.clone());
         }
         let point = self.variants.entry_point(kernel);
+        require(kernel, device.features())?;
         let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
         let module = module(device, kernel, &point, self.spirv, self.modules)?;
         let pipeline = Arc::new(make(device, kernel, &point, &module));
@@ -80,6 +81,15 @@ impl Pipelines {
         made.insert((kernel.package, kernel.name), pipeline.clone());
         Ok(pipeline)
     }
+}
+
+/// Fails if a kernel needs what a device lacks.
+fn require(kernel: &KernelInfo, features: wgpu::Features) -> Result<()> {
+    if !kernel.subgroups || features.contains(wgpu::Features::SUBGROUP) {
+        return Ok(());
+    }
+    let reason = "it has operations of subgroups, and this GPU's driver offers none: choose another GPU, or the CPU";
+    Err(Error::Kernel { kernel: kernel.name.into(), reason: reason.into() })
 }
 
 fn make(
@@ -162,4 +172,24 @@ fn module(
             )
         },
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use muslin_kernel::prelude::*;
+
+    /// Writes the sum of each subgroup.
+    #[kernel(threads(64), subgroups)]
+    pub fn sums(id: Invocation, output: Write<u32>) {
+        output.write(id.index(), id.subgroup_sum(id.local.x));
+    }
+
+    #[test]
+    fn subgroups_need_a_device_that_has_them() {
+        let all = wgpu::Features::all();
+        require(&SUMS_KERNEL, all).expect("every feature");
+        let error = require(&SUMS_KERNEL, all - wgpu::Features::SUBGROUP).unwrap_err();
+        assert!(error.to_string().starts_with("kernel `sums`: it has operations of subgroups"));
+    }
 }

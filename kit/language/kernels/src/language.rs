@@ -1,6 +1,8 @@
-//! Packed integers, sorts by storage barriers, and arithmetic and comparisons as they are written.
+//! Packed integers, sorts by storage barriers, subgroups, and arithmetic and comparisons as they are written.
 
+use muslin::math::HUGE;
 use muslin::prelude::*;
+use muslin::subgroup::{SIZES, lanes, lanes_before};
 
 use crate::rows;
 
@@ -81,6 +83,125 @@ pub fn sort_rows(id: Invocation, params: &SortParams, values: Write<u32>) {
             step /= 2;
         }
         run *= 2;
+    }
+}
+
+/// Parameters of [`keep_positive`].
+#[params]
+pub struct RowParams {
+    /// Number of rows.
+    pub rows: u32,
+    /// Values of a row, at most [`MAX_COLUMNS`].
+    pub columns: u32,
+}
+
+/// Most values of a row of [`keep_positive`].
+pub const MAX_COLUMNS: u32 = 4096;
+/// Invocations of a row: subgroups of 64 and of 128 have lanes that are missing.
+const ROW: u32 = 96;
+/// Most subgroups of a row.
+const MAX_PARTS: u32 = ROW / SIZES[0];
+
+/// Of each row of `values [rows, columns]`: the positive ones in any order, then zeros, to `kept [rows, columns]`; and how many these are,
+/// then the sum, the smallest and the largest value of the row, to `output [rows, 4]`.
+#[kernel(threads(ROW), over(96 * params.rows), subgroups, iterations = 2 * MAX_COLUMNS.div_ceil(ROW) + MAX_PARTS, unordered(kept))]
+pub fn keep_positive(
+    id: Invocation,
+    params: &RowParams,
+    values: Read<f32>,
+    kept: Write<f32>,
+    output: Write<f32>,
+    parts: Shared<Vec4, { MAX_PARTS as usize }>,
+    counts: Shared<u32, 2>,
+) {
+    let own = id.local.x;
+    let lane = id.subgroup_lane();
+    let row = id.workgroup_index();
+    let first = row * params.columns;
+    if own < 2 {
+        counts.write(own, 0);
+    }
+    id.barrier();
+    let [mut sum, mut low, mut high] = [0.0, HUGE, -HUGE];
+    let mut begin = 0;
+    // all lanes take part in all rounds
+    while begin < params.columns {
+        let mut value = 0.0;
+        if row < params.rows && begin + own < params.columns {
+            value = values.read(first + begin + own);
+            sum += value;
+            low = low.min(value);
+            high = high.max(value);
+        }
+        let ballot = id.subgroup_ballot(value > 0.0);
+        let mut at = 0;
+        if lane == 0 {
+            at = counts.atomic_add(0, lanes(ballot));
+        }
+        at = id.subgroup_broadcast_first(at);
+        if value > 0.0 {
+            kept.write(first + at + lanes_before(ballot, lane), value);
+        }
+        begin += ROW;
+    }
+    sum = id.subgroup_sum(sum);
+    low = id.subgroup_min(low);
+    high = id.subgroup_max(high);
+    if lane == 0 {
+        // nothing says which invocations are a subgroup, so it takes a number
+        parts.write(counts.atomic_add(1, 1), Vec4::new(sum, low, high, 0.0));
+    }
+    id.barrier();
+    if row < params.rows {
+        let count = counts.read(0);
+        let mut column = count + own;
+        while column < params.columns {
+            kept.write(first + column, 0.0);
+            column += ROW;
+        }
+        if own == 0 {
+            let mut all = parts.read(0);
+            let mut part = 1;
+            while part < counts.read(1) {
+                let other = parts.read(part);
+                all = Vec4::new(all.x + other.x, all.y.min(other.y), all.z.max(other.z), 0.0);
+                part += 1;
+            }
+            output.write(4 * row, count as f32);
+            output.write(4 * row + 1, all.x);
+            output.write(4 * row + 2, all.y);
+            output.write(4 * row + 3, all.z);
+        }
+    }
+}
+
+/// `found [4, count]`: an exclusive scan of ones, the last lane's inclusive scan of `values`, the lane that the next lane gives, and the lane
+/// that the neighbor in a pair gives. What each must be is subtracted.
+#[kernel(threads(ROW), over(params.count), subgroups)]
+pub fn scan_and_shuffle(
+    id: Invocation,
+    params: &LanguageParams,
+    values: Read<u32>,
+    found: Write<u32>,
+) {
+    let lane = id.subgroup_lane();
+    let mut value = 0;
+    if id.index() < params.count {
+        value = values.read(id.index());
+    }
+    let lanes = id.subgroup_sum(1);
+    let next = (lane + 1) % lanes;
+    // all lanes take part
+    let before = id.subgroup_exclusive_sum(1);
+    let up_to_last = id.subgroup_shuffle(id.subgroup_inclusive_sum(value), lanes - 1);
+    let sum = id.subgroup_sum(value);
+    let shuffled = id.subgroup_shuffle(lane, next);
+    let paired = id.subgroup_shuffle_xor(lane, 1);
+    if id.index() < params.count {
+        found.write(id.index(), before.wrapping_sub(lane));
+        found.write(params.count + id.index(), up_to_last.wrapping_sub(sum));
+        found.write(2 * params.count + id.index(), shuffled.wrapping_sub(next));
+        found.write(3 * params.count + id.index(), paired.wrapping_sub(lane ^ 1));
     }
 }
 

@@ -1,6 +1,6 @@
 //! The kernels of organza, one file per stage. Each kernel is an ordinary function in the language of [`muslin`].
 //!
-//! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`occupancy`], [`segment`], [`transmittance`], [`color`] (both with
+//! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`occupancy`], [`segment`], [`steps`], [`transmittance`], [`color`] (both with
 //! [`hash_grid`] and [`dense`]), [`splat`], [`tile_cells`], [`composite`], [`resolve`], [`pixels`]. Gradients run the other way, in the same
 //! files or those named `_backward`; [`loss`], [`ssim`], [`exposure`] and [`adam`] are for training.
 //! `docs/architecture.md` has the map. `docs/pipeline.md` has the equations, in sections A, B1, B2, B3 and C, which a file names first.
@@ -44,6 +44,7 @@ pub mod spherical_harmonics;
 pub mod splat;
 pub mod ssim;
 pub mod statistics;
+pub mod steps;
 pub mod target;
 pub mod tile;
 pub mod tile_cells;

@@ -146,8 +146,15 @@ pub fn clipped_place<L: Lane>(ray: [LaneVec4<L>; 4], t: Split<L>) -> [Split<L>; 
     ]
 }
 
-/// Vectors that a segment takes in a buffer: `(s, s_factor), (w, 0)`, the coarse parts, then the fine ones of both. Of a
-/// contracted ray they are `(foot, s_factor), (direction, radius), (begin, span, 0, 0)` and zeros.
+/// The midpoint x_k of a ray's step k (Eq. 9) in the unit cube.
+#[inline(always)]
+pub fn midpoint<L: Lane>(contracted: u32, ray: [LaneVec4<L>; 4], k: L) -> [Split<L>; 3] {
+    let t = Split::whole(k + L::splat(0.5)).divide(Split::whole(ray[3].w));
+    if contracted != 0 { contracted_place(ray, t.value()) } else { clipped_place(ray, t) }
+}
+
+/// Vectors that a segment takes in a buffer: `(s, s_factor), (w, 0)`, the coarse parts, then the fine ones of both with 0 and K. Of a
+/// contracted ray they are `(foot, s_factor), (direction, radius), (begin, span, 0, 0), (0, 0, 0, K)`.
 pub const SEGMENT_VECTORS: u32 = 4;
 
 /// The earlier of two places on a ray.
@@ -277,7 +284,7 @@ pub fn segment(
             segment.write(first, ray.foot.extend(ray.factor));
             segment.write(first + 1, ray.direction.extend(ray.radius));
             segment.write(first + 2, Vec4::new(ray.begin, ray.span, 0.0, 0.0));
-            segment.write(first + 3, Vec4::ZERO);
+            segment.write(first + 3, Vec4::new(0.0, 0.0, 0.0, ray.count as f32));
             count.write(index, ray.count);
         } else {
             let v = [eye[0].minus(p[0]), eye[1].minus(p[1]), eye[2].minus(p[2])];
@@ -285,7 +292,7 @@ pub fn segment(
             segment.write(first, coarse(clipped.start).extend(clipped.factor));
             segment.write(first + 1, coarse(clipped.w).extend(0.0));
             segment.write(first + 2, fine(clipped.start).extend(0.0));
-            segment.write(first + 3, fine(clipped.w).extend(0.0));
+            segment.write(first + 3, fine(clipped.w).extend(clipped.count as f32));
             count.write(index, clipped.count);
         }
     }

@@ -5,9 +5,7 @@ use glam::Vec4;
 use crate::dense::{HeadParams, column};
 use crate::hash_grid::{POINT_ROWS, value_at, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
-use crate::occupancy::occupied;
-use crate::segment::{clipped_place, contracted_place, read_ray};
-use crate::unit_cube::Split;
+use crate::segment::{midpoint, read_ray};
 use muslin::lane_vec4::LaneVec4;
 use muslin::math::{exp, log_sigmoid};
 use muslin::prelude::*;
@@ -31,8 +29,8 @@ pub struct TransmittanceInputsParams {
     pub extra_row: u32,
     /// 1 where what lies outside the scene's box is contracted.
     pub contracted: u32,
-    /// Cells along a side of the occupancy grid; 0 without one.
-    pub occupancy: u32,
+    /// 1 where `step` and `full` list the samples.
+    pub listed: u32,
 }
 
 /// The pair that owns a sample: the last one whose samples do not begin after it. Likewise, the tile that owns an intersection.
@@ -59,7 +57,7 @@ fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
 /// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`. With an
-/// [occupancy grid](crate::occupancy), `s_factor` is times how full x_k is.
+/// [occupancy grid](crate::occupancy), [`steps`](crate::steps) have listed each sample's k, and how full x_k is: `s_factor` is times that.
 ///
 /// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and goes on from where the pair ends.
 #[kernel(threads(64), over(params.samples), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs))]
@@ -70,7 +68,8 @@ pub fn transmittance_inputs<L: Lane>(
     first_sample: Read<u32>,
     segment: Read<Vec4>,
     extra: Read<f32>,
-    occupancy: Read<f32>,
+    step: Read<f32>,
+    full: Read<f32>,
     point: Write<f32>,
     input: Write<f32>,
 ) {
@@ -81,7 +80,6 @@ pub fn transmittance_inputs<L: Lane>(
         let begin = first_sample.read(owner);
         let mut end = first_sample.read(owner + 1);
         let mut k = L::splat((sample - begin) as f32) + L::ramp();
-        let mut count = L::splat((end - begin) as f32);
         let mut ray = read_ray::<L>(segment, owner);
         let index_of = <L::Index as LaneIndex>::splat;
         let mut u = index_of(first_extra(params, pair, owner));
@@ -98,24 +96,18 @@ pub fn transmittance_inputs<L: Lane>(
             let before = L::splat((begin - sample) as f32);
             let is_later = before.less_equal(L::ramp());
             k = L::select(is_later, L::ramp() - before, k);
-            count = L::select(is_later, L::splat((end - begin) as f32), count);
             ray = select_ray(is_later, read_ray(segment, owner), ray);
             let first = index_of(first_extra(params, pair, owner));
             u = LaneIndex::select(is_later, first, u);
         }
 
-        let t = Split::whole(k + L::splat(0.5)).divide(Split::whole(count));
-        let place = if params.contracted != 0 {
-            contracted_place(ray, t.value())
-        } else {
-            clipped_place(ray, t)
-        };
-        let stride = params.stride;
-        write_point(point, stride, index, place);
         let mut factor = ray[0].w;
-        if params.occupancy != 0 {
-            factor = factor * occupied(params.occupancy, occupancy, place);
+        if params.listed != 0 {
+            k = L::read(step, sample);
+            factor = factor * L::read(full, sample);
         }
+        let stride = params.stride;
+        write_point(point, stride, index, midpoint(params.contracted, ray, k));
         factor.write(point, POINT_ROWS * stride + index);
         let mut row = 0;
         while row < params.extra {

@@ -35,6 +35,7 @@ pub mod segment;
 mod splat;
 mod ssim;
 mod statistics;
+mod steps;
 mod target;
 pub mod tile;
 mod tile_cells;

@@ -101,14 +101,20 @@ impl Segment {
                 let [d, e, f] = ray.direction;
                 let [begin, end] = ray.ends;
                 let known = [a, b, c, ray.factor, d, e, f, ray.radius, begin, end - begin];
-                (ray.count, [&known[..], &[0.into(); 6]].concat())
+                (
+                    ray.count,
+                    [&known[..], &[0.into(); 5], &[Rounded::exact(ray.count.value)]].concat(),
+                )
             } else {
                 let found = segment(p, eye, self.step());
                 let [from, to] = [p, eye].map(|end| DVec3::from(end.map(|x| x.value)));
                 let size = 1.0 + from.length() + from.distance(to);
                 let [[a, b, c], [d, e, f]] =
                     [found.start, found.w].map(|of| of.map(|x| place(x, size)));
-                (found.count, vec![a, b, c, found.factor, d, e, f, 0.into()])
+                (
+                    found.count,
+                    vec![a, b, c, found.factor, d, e, f, Rounded::exact(found.count.value)],
+                )
             };
             if output == "count" { vec![Rounded::exact(count.value)] } else { values }
         };
@@ -145,7 +151,7 @@ impl Parity for Segment {
 
     fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
         if !self.is_contracted() {
-            // coarse and fine parts: s and `s_factor`, w and 0
+            // coarse and fine parts: s and `s_factor`, w and K
             let (segments, _) = outputs[0].values.as_chunks::<16>();
             let sums = segments.iter().flat_map(|of| (0..8).map(|at| of[at] + of[at + 8]));
             outputs[0].values = sums.collect();

@@ -1,6 +1,5 @@
 //! Cases of `transmittance_inputs`, `transmittance_head` and `segment_product`.
 
-use glam::{DVec3, Vec4};
 use muslin_check::prelude::*;
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::segment::SEGMENT_VECTORS;
@@ -8,14 +7,12 @@ use organza_shaders::transmittance::{
     SegmentProductInputs, SegmentProductParams, TransmittanceHeadInputs, TransmittanceInputsInputs,
     TransmittanceInputsParams,
 };
-use organza_shaders::unit_cube::Split;
 
 use super::color::joined;
 use super::dense::{Dense, head_sets};
-use super::exact::occupancy::OccupancyGrid;
-use super::exact::segment::{ContractedRay, contracted_ray};
-use super::exact::transmittance::{log_rho, midpoint, transmittance};
+use super::exact::transmittance::{log_rho, transmittance};
 use super::scan::prefix;
+use super::steps::Rays;
 
 /// Samples before the chunk.
 pub(super) const FIRST_SAMPLE: u32 = 3;
@@ -48,33 +45,17 @@ pub(super) fn owner(first_sample: &[u32], sample: usize) -> usize {
     first_sample.partition_point(|&first| first <= FIRST_SAMPLE + sample as u32) - 1
 }
 
-case!(pub TransmittanceInputs(TransmittanceInputsInputs));
+case!(pub TransmittanceInputs(TransmittanceInputsInputs) { rays: Rays });
 
 impl TransmittanceInputs {
     /// Samples of a chunk; three others lie before them.
     fn new(samples: u32, first_sample: Vec<u32>, fill: Fill, random: &mut Random) -> Self {
         let gaussians = 29;
         let pairs = first_sample.len() - 1;
-        // within the cube: no sample lies outside
-        let start = fill.values(random, 4 * pairs, [0.0, 1.0], 1.0);
-        let w = fill.values(random, 3 * pairs, [-1.0, 1.0], 1.0);
-        let vectors = (0..pairs).flat_map(|pair| {
-            let start = Vec4::from_slice(&start[4 * pair..]).abs();
-            let [mut coarse, mut fine] = [[start, Vec4::ZERO], [Vec4::ZERO; 2]];
-            for axis in 0..3 {
-                let inside = (start[axis] + w[3 * pair + axis]).clamp(0.0, 1.0) - start[axis];
-                // more digits than an f32 has
-                for (vector, x) in [start[axis], inside].into_iter().enumerate() {
-                    let x = Split::new(x, x * random.between(-6e-8, 0.0));
-                    coarse[vector][axis] = x.coarse;
-                    fine[vector][axis] = x.fine;
-                }
-            }
-            coarse.into_iter().chain(fine)
-        });
-        let segment = vectors.collect();
+        let steps: Vec<_> = first_sample.windows(2).map(|range| range[1] - range[0]).collect();
+        let rays = Rays::new(&steps, fill, random);
         let stride = samples + 5;
-        Self(TransmittanceInputsInputs {
+        let inputs = TransmittanceInputsInputs {
             params: TransmittanceInputsParams {
                 samples,
                 first_sample: FIRST_SAMPLE,
@@ -84,69 +65,43 @@ impl TransmittanceInputs {
                 extra: 2,
                 extra_row: 1,
                 contracted: 0,
-                occupancy: 0,
+                listed: 0,
             },
             pair: (0..pairs).map(|_| random.below(3 * gaussians)).collect(),
             first_sample,
-            segment,
+            segment: rays.vectors.clone(),
             extra: fill.values(random, 2 * gaussians as usize, [-1.0, 1.0], 3e38),
-            occupancy: vec![0.0],
+            step: vec![0.0],
+            full: vec![0.0],
             point: unwritten(((POINT_ROWS + 1) * stride) as usize),
             input: unwritten(4 * stride as usize),
-        })
+        };
+        Self { inputs, rays }
     }
 
-    /// The same samples, with full and empty cells.
-    fn occupied(mut self, random: &mut Random) -> Self {
-        self.params.occupancy = 7;
-        let mut value = |_| (random.between(-0.5, 1.5)).clamp(0.0, 1.0);
-        self.occupancy = (0..self.grid().entries().pow(3)).map(&mut value).collect();
+    /// The same samples as some of more steps.
+    fn listed(mut self, random: &mut Random) -> Self {
+        let all = self.first_sample[self.first_sample.len() - 1] as usize;
+        self.params.listed = 1;
+        self.full = random.values(all, 0.0, 1.0);
+        self.step = vec![0.0; all];
+        for (pair, vectors) in self.rays.vectors.chunks_mut(SEGMENT_VECTORS as usize).enumerate() {
+            vectors[3].w = vectors[3].w * 3.0 + 2.0;
+            let samples = self.inputs.first_sample[pair]..self.inputs.first_sample[pair + 1];
+            for (rank, sample) in samples.enumerate() {
+                self.inputs.step[sample as usize] = (3 * rank as u32 + random.below(5)) as f32;
+            }
+        }
+        self.inputs.segment = self.rays.vectors.clone();
         self
-    }
-
-    /// Its occupancy grid.
-    fn grid(&self) -> OccupancyGrid {
-        let side = self.params.occupancy;
-        OccupancyGrid { side, aabb: [[0.0; 3], [1.0; 3]], is_contracted: false }
     }
 
     /// The same samples on contracted rays, with ends up to 300 cubes away.
     fn contracted(mut self, random: &mut Random) -> Self {
         self.params.contracted = 1;
-        for (pair, vectors) in self.segment.chunks_mut(SEGMENT_VECTORS as usize).enumerate() {
-            let far = [1.0, 1.0, 3.0, 300.0][pair % 4];
-            let mut end = |far: f32| [0; 3].map(|_| f64::from(random.between(-far, far)));
-            let ray = contracted_ray(end(far), end(1.0), 0.01);
-            let [foot, direction] = [ray.foot, ray.direction].map(|x| DVec3::from(x).as_vec3());
-            let [begin, end] = ray.ends.map(|r| r as f32);
-            vectors.copy_from_slice(&[
-                foot.extend(vectors[0].w),
-                direction.extend(ray.radius as f32),
-                Vec4::new(begin, end - begin, 0.0, 0.0),
-                Vec4::ZERO,
-            ]);
-        }
+        self.rays = self.rays.contracted(random);
+        self.inputs.segment = self.rays.vectors.clone();
         self
-    }
-
-    /// The midpoint of a pair's step.
-    fn midpoint(&self, pair: usize, k: u32, count: u32) -> [f64; 3] {
-        let vector = |part: usize| self.segment[4 * pair + part].as_dvec4();
-        if self.params.contracted == 0 {
-            let s = vector(0) + vector(2);
-            let w = vector(1) + vector(3);
-            return midpoint(s.truncate().to_array(), w.truncate().to_array(), k, count);
-        }
-        let [foot, direction, ends] = [0, 1, 2].map(vector);
-        let ray = ContractedRay {
-            foot: foot.truncate().to_array(),
-            direction: direction.truncate().to_array(),
-            radius: direction.w,
-            ends: [ends.x, ends.x + ends.y],
-            count: f64::from(count),
-            factor: 0.0,
-        };
-        ray.midpoint(k, count)
     }
 }
 
@@ -160,8 +115,13 @@ impl Parity for TransmittanceInputs {
         for samples in [3 * inputs::ITEMS, 5] {
             let pairs = some_pairs(samples + FIRST_SAMPLE, &mut random);
             let set = Self::new(samples, pairs, Fill::Random, &mut random);
-            sets.push((format!("{samples} samples, occupied"), set.clone().occupied(&mut random)));
-            sets.push((format!("{samples} samples, contracted"), set.contracted(&mut random)));
+            let contracted = set.clone().contracted(&mut random);
+            for (name, set) in
+                [("listed", set.clone()), ("contracted and listed", contracted.clone())]
+            {
+                sets.push((format!("{samples} samples, {name}"), set.listed(&mut random)));
+            }
+            sets.push((format!("{samples} samples, contracted"), contracted));
         }
         for (name, pairs) in long_pairs() {
             let samples = pairs[pairs.len() - 1] - FIRST_SAMPLE;
@@ -189,19 +149,20 @@ impl Parity for TransmittanceInputs {
             return Some(self.extra[2 * gaussian + at].into());
         }
         let factor = self.segment[4 * pair].w;
-        if output == "s_factor" && self.params.occupancy == 0 {
-            return Some(factor.into());
+        let sample = FIRST_SAMPLE as usize + column;
+        let is_listed = self.params.listed == 1;
+        if output == "s_factor" {
+            let full = if is_listed { self.full[sample] } else { 1.0 };
+            return Some(Rounded::from(factor) * Rounded::from(full));
         }
-        let k = FIRST_SAMPLE + column as u32 - self.first_sample[pair];
-        let point = self.midpoint(pair, k, self.first_sample[pair + 1] - self.first_sample[pair]);
-        let (value, error) = match output {
-            // a place on the ray and a point in two parts: roundings, and a division of 3 ulp, of the second, below 1/1024
-            "point" if self.params.contracted == 0 => (point[row], 1e-9),
-            "point" => (point[row], 1e-6),
-            // the weights of a cell's corners, as one f32 knows them
-            _ => (f64::from(factor) * self.grid().occupied(&self.occupancy, point), 1e-6),
+        let k = if is_listed {
+            self.step[sample] as u32
+        } else {
+            sample as u32 - self.first_sample[pair]
         };
-        Some(Rounded::within(value, error + f64::from(TINY)))
+        // a place on the ray and a point in two parts: roundings, and a division of 3 ulp, of the second, below 1/1024
+        let error = if self.params.contracted == 0 { 1e-9 } else { 1e-6 };
+        Some(Rounded::within(self.rays.midpoint(pair, k)[row], error + f64::from(TINY)))
     }
 }
 

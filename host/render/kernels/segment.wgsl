@@ -50,40 +50,40 @@ var<storage, read_write> global_8: type_23;
 var<storage, read_write> global_9: type_11;
 
 fn function_() {
-    var phi_521_: type_18;
-    var phi_550_: type_18;
-    var phi_552_: type_18;
-    var phi_553_: bool;
+    var phi_520_: type_18;
+    var phi_549_: type_18;
+    var phi_551_: type_18;
+    var phi_552_: bool;
+    var phi_556_: type_18;
     var phi_557_: type_18;
-    var phi_558_: type_18;
-    var phi_569_: type_18;
-    var phi_576_: type_18;
-    var phi_578_: type_19;
-    var phi_589_: type_18;
-    var phi_618_: type_18;
-    var phi_620_: type_18;
-    var phi_621_: bool;
+    var phi_568_: type_18;
+    var phi_575_: type_18;
+    var phi_577_: type_19;
+    var phi_588_: type_18;
+    var phi_617_: type_18;
+    var phi_619_: type_18;
+    var phi_620_: bool;
+    var phi_624_: type_18;
     var phi_625_: type_18;
-    var phi_626_: type_18;
-    var phi_637_: type_18;
-    var phi_644_: type_18;
-    var phi_646_: type_19;
-    var phi_657_: type_18;
-    var phi_686_: type_18;
-    var phi_688_: type_18;
-    var phi_689_: bool;
+    var phi_636_: type_18;
+    var phi_643_: type_18;
+    var phi_645_: type_19;
+    var phi_656_: type_18;
+    var phi_685_: type_18;
+    var phi_687_: type_18;
+    var phi_688_: bool;
+    var phi_692_: type_18;
     var phi_693_: type_18;
-    var phi_694_: type_18;
-    var phi_705_: type_18;
-    var phi_712_: type_18;
-    var phi_714_: type_19;
-    var phi_725_: type_18;
-    var phi_733_: type_18;
-    var phi_742_: type_18;
-    var phi_750_: type_18;
-    var phi_758_: type_18;
-    var phi_786_: u32;
-    var phi_790_: f32;
+    var phi_704_: type_18;
+    var phi_711_: type_18;
+    var phi_713_: type_19;
+    var phi_724_: type_18;
+    var phi_732_: type_18;
+    var phi_741_: type_18;
+    var phi_749_: type_18;
+    var phi_757_: type_18;
+    var phi_785_: u32;
+    var phi_789_: f32;
     var phi_846_: f32;
     var phi_847_: f32;
     var phi_859_: f32;
@@ -93,388 +93,388 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e50 = global;
-            let _e51 = global_1;
-            let _e52 = global_2;
-            let _e60 = (((_e51.x + (_e51.y * _e52.x)) * 64u) + _e50.x);
-            let _e63 = global_3.member.member;
-            if (_e60 < _e63) {
-                let _e67 = global_4.member[_e60];
-                let _e70 = global_5.member[0u];
-                let _e73 = global_5.member[1u];
-                let _e76 = global_5.member[2u];
-                let _e79 = global_5.member[3u];
-                let _e82 = global_5.member[4u];
-                let _e85 = global_5.member[5u];
-                let _e88 = global_5.member[6u];
-                let _e91 = global_5.member[7u];
-                let _e94 = global_5.member[8u];
-                let _e97 = global_5.member[9u];
-                let _e100 = global_5.member[10u];
-                let _e103 = global_5.member[11u];
-                let _e106 = global_5.member[12u];
-                let _e109 = global_5.member[13u];
-                let _e112 = global_5.member[14u];
-                let _e115 = global_5.member[15u];
-                let _e118 = global_5.member[16u];
-                let _e121 = global_5.member[17u];
-                let _e124 = global_3.member.member_1;
-                let _e125 = (_e124 == 0u);
-                if _e125 {
+            let _e49 = global;
+            let _e50 = global_1;
+            let _e51 = global_2;
+            let _e59 = (((_e50.x + (_e50.y * _e51.x)) * 64u) + _e49.x);
+            let _e62 = global_3.member.member;
+            if (_e59 < _e62) {
+                let _e66 = global_4.member[_e59];
+                let _e69 = global_5.member[0u];
+                let _e72 = global_5.member[1u];
+                let _e75 = global_5.member[2u];
+                let _e78 = global_5.member[3u];
+                let _e81 = global_5.member[4u];
+                let _e84 = global_5.member[5u];
+                let _e87 = global_5.member[6u];
+                let _e90 = global_5.member[7u];
+                let _e93 = global_5.member[8u];
+                let _e96 = global_5.member[9u];
+                let _e99 = global_5.member[10u];
+                let _e102 = global_5.member[11u];
+                let _e105 = global_5.member[12u];
+                let _e108 = global_5.member[13u];
+                let _e111 = global_5.member[14u];
+                let _e114 = global_5.member[15u];
+                let _e117 = global_5.member[16u];
+                let _e120 = global_5.member[17u];
+                let _e123 = global_3.member.member_1;
+                let _e124 = (_e123 == 0u);
+                if _e124 {
                     break;
                 }
-                let _e127 = ((_e67 / _e124) * 18u);
-                let _e131 = global_6.member[(_e127 + 9u)];
-                let _e135 = global_6.member[(_e127 + 10u)];
-                let _e139 = global_6.member[(_e127 + 11u)];
-                let _e142 = (trunc((_e131 * _e79)) * _e70);
-                let _e143 = (_e142 - _e88);
-                let _e147 = (_e106 + _e115);
-                let _e149 = ((_e143 * _e115) + (((_e131 - _e142) - _e97) * _e147));
-                let _e150 = (_e143 * _e106);
-                let _e154 = (1f / 4096f);
-                let _e155 = (trunc(((_e150 + _e149) * 4096f)) * _e154);
-                let _e157 = ((_e150 - _e155) + _e149);
-                let _e160 = (trunc((_e135 * _e82)) * _e73);
-                let _e161 = (_e160 - _e91);
-                let _e165 = (_e109 + _e118);
-                let _e167 = ((_e161 * _e118) + (((_e135 - _e160) - _e100) * _e165));
-                let _e168 = (_e161 * _e109);
-                let _e172 = (trunc(((_e168 + _e167) * 4096f)) * _e154);
-                let _e174 = ((_e168 - _e172) + _e167);
-                let _e177 = (trunc((_e139 * _e85)) * _e76);
-                let _e178 = (_e177 - _e94);
-                let _e182 = (_e112 + _e121);
-                let _e184 = ((_e178 * _e121) + (((_e139 - _e177) - _e103) * _e182));
-                let _e185 = (_e178 * _e112);
-                let _e189 = (trunc(((_e185 + _e184) * 4096f)) * _e154);
-                let _e191 = ((_e185 - _e189) + _e184);
-                if _e125 {
+                let _e126 = ((_e66 / _e123) * 18u);
+                let _e130 = global_6.member[(_e126 + 9u)];
+                let _e134 = global_6.member[(_e126 + 10u)];
+                let _e138 = global_6.member[(_e126 + 11u)];
+                let _e141 = (trunc((_e130 * _e78)) * _e69);
+                let _e142 = (_e141 - _e87);
+                let _e146 = (_e105 + _e114);
+                let _e148 = ((_e142 * _e114) + (((_e130 - _e141) - _e96) * _e146));
+                let _e149 = (_e142 * _e105);
+                let _e153 = (1f / 4096f);
+                let _e154 = (trunc(((_e149 + _e148) * 4096f)) * _e153);
+                let _e156 = ((_e149 - _e154) + _e148);
+                let _e159 = (trunc((_e134 * _e81)) * _e72);
+                let _e160 = (_e159 - _e90);
+                let _e164 = (_e108 + _e117);
+                let _e166 = ((_e160 * _e117) + (((_e134 - _e159) - _e99) * _e164));
+                let _e167 = (_e160 * _e108);
+                let _e171 = (trunc(((_e167 + _e166) * 4096f)) * _e153);
+                let _e173 = ((_e167 - _e171) + _e166);
+                let _e176 = (trunc((_e138 * _e84)) * _e75);
+                let _e177 = (_e176 - _e93);
+                let _e181 = (_e111 + _e120);
+                let _e183 = ((_e177 * _e120) + (((_e138 - _e176) - _e102) * _e181));
+                let _e184 = (_e177 * _e111);
+                let _e188 = (trunc(((_e184 + _e183) * 4096f)) * _e153);
+                let _e190 = ((_e184 - _e188) + _e183);
+                if _e124 {
                     break;
                 }
-                let _e193 = ((_e67 % _e124) * 3u);
-                let _e196 = global_7.member[_e193];
-                let _e200 = global_7.member[(_e193 + 1u)];
-                let _e204 = global_7.member[(_e193 + 2u)];
-                let _e207 = (trunc((_e196 * _e79)) * _e70);
-                let _e208 = (_e207 - _e88);
-                let _e213 = ((_e208 * _e115) + (((_e196 - _e207) - _e97) * _e147));
-                let _e214 = (_e208 * _e106);
-                let _e218 = (trunc(((_e214 + _e213) * 4096f)) * _e154);
-                let _e220 = ((_e214 - _e218) + _e213);
-                let _e223 = (trunc((_e200 * _e82)) * _e73);
-                let _e224 = (_e223 - _e91);
-                let _e229 = ((_e224 * _e118) + (((_e200 - _e223) - _e100) * _e165));
-                let _e230 = (_e224 * _e109);
-                let _e234 = (trunc(((_e230 + _e229) * 4096f)) * _e154);
-                let _e236 = ((_e230 - _e234) + _e229);
-                let _e239 = (trunc((_e204 * _e85)) * _e76);
-                let _e240 = (_e239 - _e94);
-                let _e245 = ((_e240 * _e121) + (((_e204 - _e239) - _e103) * _e182));
-                let _e246 = (_e240 * _e112);
-                let _e250 = (trunc(((_e246 + _e245) * 4096f)) * _e154);
-                let _e252 = ((_e246 - _e250) + _e245);
-                let _e253 = (_e60 * 4u);
-                let _e256 = global_3.member.member_3;
-                if (_e256 == 0u) {
-                    let _e258 = (_e155 - _e218);
-                    let _e259 = (_e157 - _e220);
-                    let _e260 = (_e172 - _e234);
-                    let _e261 = (_e174 - _e236);
-                    let _e262 = (_e189 - _e250);
-                    let _e263 = (_e191 - _e252);
-                    let _e266 = global_3.member.member_2;
-                    let _e268 = (_e258 + _e259);
-                    let _e270 = (abs(_e268) < 0.000000000000000000000000000000000000011754944f);
-                    if _e270 {
-                        phi_521_ = type_18(1f, 0f);
+                let _e192 = ((_e66 % _e123) * 3u);
+                let _e195 = global_7.member[_e192];
+                let _e199 = global_7.member[(_e192 + 1u)];
+                let _e203 = global_7.member[(_e192 + 2u)];
+                let _e206 = (trunc((_e195 * _e78)) * _e69);
+                let _e207 = (_e206 - _e87);
+                let _e212 = ((_e207 * _e114) + (((_e195 - _e206) - _e96) * _e146));
+                let _e213 = (_e207 * _e105);
+                let _e217 = (trunc(((_e213 + _e212) * 4096f)) * _e153);
+                let _e219 = ((_e213 - _e217) + _e212);
+                let _e222 = (trunc((_e199 * _e81)) * _e72);
+                let _e223 = (_e222 - _e90);
+                let _e228 = ((_e223 * _e117) + (((_e199 - _e222) - _e99) * _e164));
+                let _e229 = (_e223 * _e108);
+                let _e233 = (trunc(((_e229 + _e228) * 4096f)) * _e153);
+                let _e235 = ((_e229 - _e233) + _e228);
+                let _e238 = (trunc((_e203 * _e84)) * _e75);
+                let _e239 = (_e238 - _e93);
+                let _e244 = ((_e239 * _e120) + (((_e203 - _e238) - _e102) * _e181));
+                let _e245 = (_e239 * _e111);
+                let _e249 = (trunc(((_e245 + _e244) * 4096f)) * _e153);
+                let _e251 = ((_e245 - _e249) + _e244);
+                let _e252 = (_e59 * 4u);
+                let _e255 = global_3.member.member_3;
+                if (_e255 == 0u) {
+                    let _e257 = (_e154 - _e217);
+                    let _e258 = (_e156 - _e219);
+                    let _e259 = (_e171 - _e233);
+                    let _e260 = (_e173 - _e235);
+                    let _e261 = (_e188 - _e249);
+                    let _e262 = (_e190 - _e251);
+                    let _e265 = global_3.member.member_2;
+                    let _e267 = (_e257 + _e258);
+                    let _e269 = (abs(_e267) < 0.000000000000000000000000000000000000011754944f);
+                    if _e269 {
+                        phi_520_ = type_18(1f, 0f);
                     } else {
-                        phi_521_ = type_18(_e258, _e259);
+                        phi_520_ = type_18(_e257, _e258);
                     }
-                    let _e272 = phi_521_;
-                    let _e273 = (0f - _e218);
-                    let _e274 = (0f - _e220);
-                    let _e277 = (_e272.member + _e272.member_1);
-                    let _e279 = ((_e273 + _e274) / _e277);
-                    let _e281 = select(0f, _e279, (_e279 > 0f));
-                    let _e283 = select(1f, _e281, (_e281 < 1f));
-                    let _e286 = (1f / 1024f);
-                    let _e287 = (trunc((_e283 * 1024f)) * _e286);
-                    let _e297 = select(0f, (((_e273 - (_e287 * _e272.member)) + (_e274 - (_e287 * _e272.member_1))) / _e277), select(false, (_e283 < 1f), (0f < _e283)));
-                    let _e298 = (1f - _e218);
-                    let _e300 = ((_e298 + _e274) / _e277);
-                    let _e302 = select(0f, _e300, (_e300 > 0f));
-                    let _e304 = select(1f, _e302, (_e302 < 1f));
-                    let _e307 = (trunc((_e304 * 1024f)) * _e286);
-                    let _e317 = select(0f, (((_e298 - (_e307 * _e272.member)) + (_e274 - (_e307 * _e272.member_1))) / _e277), select(false, (_e304 < 1f), (0f < _e304)));
-                    let _e318 = (_e218 + _e220);
-                    if (_e318 >= 0f) {
-                        let _e320 = (_e318 <= 1f);
-                        if _e320 {
-                            phi_550_ = type_18(0f, 0f);
+                    let _e271 = phi_520_;
+                    let _e272 = (0f - _e217);
+                    let _e273 = (0f - _e219);
+                    let _e276 = (_e271.member + _e271.member_1);
+                    let _e278 = ((_e272 + _e273) / _e276);
+                    let _e280 = select(0f, _e278, (_e278 > 0f));
+                    let _e282 = select(1f, _e280, (_e280 < 1f));
+                    let _e285 = (1f / 1024f);
+                    let _e286 = (trunc((_e282 * 1024f)) * _e285);
+                    let _e296 = select(0f, (((_e272 - (_e286 * _e271.member)) + (_e273 - (_e286 * _e271.member_1))) / _e276), select(false, (_e282 < 1f), (0f < _e282)));
+                    let _e297 = (1f - _e217);
+                    let _e299 = ((_e297 + _e273) / _e276);
+                    let _e301 = select(0f, _e299, (_e299 > 0f));
+                    let _e303 = select(1f, _e301, (_e301 < 1f));
+                    let _e306 = (trunc((_e303 * 1024f)) * _e285);
+                    let _e316 = select(0f, (((_e297 - (_e306 * _e271.member)) + (_e273 - (_e306 * _e271.member_1))) / _e276), select(false, (_e303 < 1f), (0f < _e303)));
+                    let _e317 = (_e217 + _e219);
+                    if (_e317 >= 0f) {
+                        let _e319 = (_e317 <= 1f);
+                        if _e319 {
+                            phi_549_ = type_18(0f, 0f);
                         } else {
-                            phi_550_ = type_18();
+                            phi_549_ = type_18();
                         }
-                        let _e322 = phi_550_;
-                        phi_552_ = _e322;
-                        phi_553_ = select(true, false, _e320);
+                        let _e321 = phi_549_;
+                        phi_551_ = _e321;
+                        phi_552_ = select(true, false, _e319);
                     } else {
-                        phi_552_ = type_18();
-                        phi_553_ = true;
+                        phi_551_ = type_18();
+                        phi_552_ = true;
                     }
-                    let _e325 = phi_552_;
-                    let _e327 = phi_553_;
-                    if _e327 {
+                    let _e324 = phi_551_;
+                    let _e326 = phi_552_;
+                    if _e326 {
+                        phi_556_ = type_18(1f, 0f);
+                        phi_557_ = type_18(0f, 0f);
+                    } else {
+                        phi_556_ = _e324;
                         phi_557_ = type_18(1f, 0f);
-                        phi_558_ = type_18(0f, 0f);
-                    } else {
-                        phi_557_ = _e325;
-                        phi_558_ = type_18(1f, 0f);
                     }
-                    let _e329 = phi_557_;
-                    let _e331 = phi_558_;
-                    if _e270 {
-                        phi_578_ = type_19(_e329, _e331);
+                    let _e328 = phi_556_;
+                    let _e330 = phi_557_;
+                    if _e269 {
+                        phi_577_ = type_19(_e328, _e330);
                     } else {
-                        let _e333 = (_e287 + _e297);
-                        let _e334 = (_e307 + _e317);
-                        if (_e333 < _e334) {
-                            phi_569_ = type_18(_e287, _e297);
+                        let _e332 = (_e286 + _e296);
+                        let _e333 = (_e306 + _e316);
+                        if (_e332 < _e333) {
+                            phi_568_ = type_18(_e286, _e296);
                         } else {
-                            phi_569_ = type_18(_e307, _e317);
+                            phi_568_ = type_18(_e306, _e316);
                         }
-                        let _e339 = phi_569_;
-                        if (_e333 > _e334) {
-                            phi_576_ = type_18(_e287, _e297);
+                        let _e338 = phi_568_;
+                        if (_e332 > _e333) {
+                            phi_575_ = type_18(_e286, _e296);
                         } else {
-                            phi_576_ = type_18(_e307, _e317);
+                            phi_575_ = type_18(_e306, _e316);
                         }
-                        let _e344 = phi_576_;
-                        phi_578_ = type_19(_e339, _e344);
+                        let _e343 = phi_575_;
+                        phi_577_ = type_19(_e338, _e343);
                     }
-                    let _e347 = phi_578_;
-                    let _e357 = (_e260 + _e261);
-                    let _e359 = (abs(_e357) < 0.000000000000000000000000000000000000011754944f);
-                    if _e359 {
-                        phi_589_ = type_18(1f, 0f);
+                    let _e346 = phi_577_;
+                    let _e356 = (_e259 + _e260);
+                    let _e358 = (abs(_e356) < 0.000000000000000000000000000000000000011754944f);
+                    if _e358 {
+                        phi_588_ = type_18(1f, 0f);
                     } else {
-                        phi_589_ = type_18(_e260, _e261);
+                        phi_588_ = type_18(_e259, _e260);
                     }
-                    let _e361 = phi_589_;
-                    let _e362 = (0f - _e234);
-                    let _e363 = (0f - _e236);
-                    let _e366 = (_e361.member + _e361.member_1);
-                    let _e368 = ((_e362 + _e363) / _e366);
-                    let _e370 = select(0f, _e368, (_e368 > 0f));
-                    let _e372 = select(1f, _e370, (_e370 < 1f));
-                    let _e375 = (trunc((_e372 * 1024f)) * _e286);
-                    let _e385 = select(0f, (((_e362 - (_e375 * _e361.member)) + (_e363 - (_e375 * _e361.member_1))) / _e366), select(false, (_e372 < 1f), (0f < _e372)));
-                    let _e386 = (1f - _e234);
-                    let _e388 = ((_e386 + _e363) / _e366);
-                    let _e390 = select(0f, _e388, (_e388 > 0f));
-                    let _e392 = select(1f, _e390, (_e390 < 1f));
-                    let _e395 = (trunc((_e392 * 1024f)) * _e286);
-                    let _e405 = select(0f, (((_e386 - (_e395 * _e361.member)) + (_e363 - (_e395 * _e361.member_1))) / _e366), select(false, (_e392 < 1f), (0f < _e392)));
-                    let _e406 = (_e234 + _e236);
-                    if (_e406 >= 0f) {
-                        let _e408 = (_e406 <= 1f);
-                        if _e408 {
-                            phi_618_ = type_18(0f, 0f);
+                    let _e360 = phi_588_;
+                    let _e361 = (0f - _e233);
+                    let _e362 = (0f - _e235);
+                    let _e365 = (_e360.member + _e360.member_1);
+                    let _e367 = ((_e361 + _e362) / _e365);
+                    let _e369 = select(0f, _e367, (_e367 > 0f));
+                    let _e371 = select(1f, _e369, (_e369 < 1f));
+                    let _e374 = (trunc((_e371 * 1024f)) * _e285);
+                    let _e384 = select(0f, (((_e361 - (_e374 * _e360.member)) + (_e362 - (_e374 * _e360.member_1))) / _e365), select(false, (_e371 < 1f), (0f < _e371)));
+                    let _e385 = (1f - _e233);
+                    let _e387 = ((_e385 + _e362) / _e365);
+                    let _e389 = select(0f, _e387, (_e387 > 0f));
+                    let _e391 = select(1f, _e389, (_e389 < 1f));
+                    let _e394 = (trunc((_e391 * 1024f)) * _e285);
+                    let _e404 = select(0f, (((_e385 - (_e394 * _e360.member)) + (_e362 - (_e394 * _e360.member_1))) / _e365), select(false, (_e391 < 1f), (0f < _e391)));
+                    let _e405 = (_e233 + _e235);
+                    if (_e405 >= 0f) {
+                        let _e407 = (_e405 <= 1f);
+                        if _e407 {
+                            phi_617_ = type_18(0f, 0f);
                         } else {
-                            phi_618_ = type_18();
+                            phi_617_ = type_18();
                         }
-                        let _e410 = phi_618_;
-                        phi_620_ = _e410;
-                        phi_621_ = select(true, false, _e408);
+                        let _e409 = phi_617_;
+                        phi_619_ = _e409;
+                        phi_620_ = select(true, false, _e407);
                     } else {
-                        phi_620_ = type_18();
-                        phi_621_ = true;
+                        phi_619_ = type_18();
+                        phi_620_ = true;
                     }
-                    let _e413 = phi_620_;
-                    let _e415 = phi_621_;
-                    if _e415 {
+                    let _e412 = phi_619_;
+                    let _e414 = phi_620_;
+                    if _e414 {
+                        phi_624_ = type_18(1f, 0f);
+                        phi_625_ = type_18(0f, 0f);
+                    } else {
+                        phi_624_ = _e412;
                         phi_625_ = type_18(1f, 0f);
-                        phi_626_ = type_18(0f, 0f);
-                    } else {
-                        phi_625_ = _e413;
-                        phi_626_ = type_18(1f, 0f);
                     }
-                    let _e417 = phi_625_;
-                    let _e419 = phi_626_;
-                    if _e359 {
-                        phi_646_ = type_19(_e417, _e419);
+                    let _e416 = phi_624_;
+                    let _e418 = phi_625_;
+                    if _e358 {
+                        phi_645_ = type_19(_e416, _e418);
                     } else {
-                        let _e421 = (_e375 + _e385);
-                        let _e422 = (_e395 + _e405);
-                        if (_e421 < _e422) {
-                            phi_637_ = type_18(_e375, _e385);
+                        let _e420 = (_e374 + _e384);
+                        let _e421 = (_e394 + _e404);
+                        if (_e420 < _e421) {
+                            phi_636_ = type_18(_e374, _e384);
                         } else {
-                            phi_637_ = type_18(_e395, _e405);
+                            phi_636_ = type_18(_e394, _e404);
                         }
-                        let _e427 = phi_637_;
-                        if (_e421 > _e422) {
-                            phi_644_ = type_18(_e375, _e385);
+                        let _e426 = phi_636_;
+                        if (_e420 > _e421) {
+                            phi_643_ = type_18(_e374, _e384);
                         } else {
-                            phi_644_ = type_18(_e395, _e405);
+                            phi_643_ = type_18(_e394, _e404);
                         }
-                        let _e432 = phi_644_;
-                        phi_646_ = type_19(_e427, _e432);
+                        let _e431 = phi_643_;
+                        phi_645_ = type_19(_e426, _e431);
                     }
-                    let _e435 = phi_646_;
-                    let _e445 = (_e262 + _e263);
-                    let _e447 = (abs(_e445) < 0.000000000000000000000000000000000000011754944f);
-                    if _e447 {
-                        phi_657_ = type_18(1f, 0f);
+                    let _e434 = phi_645_;
+                    let _e444 = (_e261 + _e262);
+                    let _e446 = (abs(_e444) < 0.000000000000000000000000000000000000011754944f);
+                    if _e446 {
+                        phi_656_ = type_18(1f, 0f);
                     } else {
-                        phi_657_ = type_18(_e262, _e263);
+                        phi_656_ = type_18(_e261, _e262);
                     }
-                    let _e449 = phi_657_;
-                    let _e450 = (0f - _e250);
-                    let _e451 = (0f - _e252);
-                    let _e454 = (_e449.member + _e449.member_1);
-                    let _e456 = ((_e450 + _e451) / _e454);
-                    let _e458 = select(0f, _e456, (_e456 > 0f));
-                    let _e460 = select(1f, _e458, (_e458 < 1f));
-                    let _e463 = (trunc((_e460 * 1024f)) * _e286);
-                    let _e473 = select(0f, (((_e450 - (_e463 * _e449.member)) + (_e451 - (_e463 * _e449.member_1))) / _e454), select(false, (_e460 < 1f), (0f < _e460)));
-                    let _e474 = (1f - _e250);
-                    let _e476 = ((_e474 + _e451) / _e454);
-                    let _e478 = select(0f, _e476, (_e476 > 0f));
-                    let _e480 = select(1f, _e478, (_e478 < 1f));
-                    let _e483 = (trunc((_e480 * 1024f)) * _e286);
-                    let _e493 = select(0f, (((_e474 - (_e483 * _e449.member)) + (_e451 - (_e483 * _e449.member_1))) / _e454), select(false, (_e480 < 1f), (0f < _e480)));
-                    let _e494 = (_e250 + _e252);
-                    if (_e494 >= 0f) {
-                        let _e496 = (_e494 <= 1f);
-                        if _e496 {
-                            phi_686_ = type_18(0f, 0f);
+                    let _e448 = phi_656_;
+                    let _e449 = (0f - _e249);
+                    let _e450 = (0f - _e251);
+                    let _e453 = (_e448.member + _e448.member_1);
+                    let _e455 = ((_e449 + _e450) / _e453);
+                    let _e457 = select(0f, _e455, (_e455 > 0f));
+                    let _e459 = select(1f, _e457, (_e457 < 1f));
+                    let _e462 = (trunc((_e459 * 1024f)) * _e285);
+                    let _e472 = select(0f, (((_e449 - (_e462 * _e448.member)) + (_e450 - (_e462 * _e448.member_1))) / _e453), select(false, (_e459 < 1f), (0f < _e459)));
+                    let _e473 = (1f - _e249);
+                    let _e475 = ((_e473 + _e450) / _e453);
+                    let _e477 = select(0f, _e475, (_e475 > 0f));
+                    let _e479 = select(1f, _e477, (_e477 < 1f));
+                    let _e482 = (trunc((_e479 * 1024f)) * _e285);
+                    let _e492 = select(0f, (((_e473 - (_e482 * _e448.member)) + (_e450 - (_e482 * _e448.member_1))) / _e453), select(false, (_e479 < 1f), (0f < _e479)));
+                    let _e493 = (_e249 + _e251);
+                    if (_e493 >= 0f) {
+                        let _e495 = (_e493 <= 1f);
+                        if _e495 {
+                            phi_685_ = type_18(0f, 0f);
                         } else {
-                            phi_686_ = type_18();
+                            phi_685_ = type_18();
                         }
-                        let _e498 = phi_686_;
-                        phi_688_ = _e498;
-                        phi_689_ = select(true, false, _e496);
+                        let _e497 = phi_685_;
+                        phi_687_ = _e497;
+                        phi_688_ = select(true, false, _e495);
                     } else {
-                        phi_688_ = type_18();
-                        phi_689_ = true;
+                        phi_687_ = type_18();
+                        phi_688_ = true;
                     }
-                    let _e501 = phi_688_;
-                    let _e503 = phi_689_;
-                    if _e503 {
+                    let _e500 = phi_687_;
+                    let _e502 = phi_688_;
+                    if _e502 {
+                        phi_692_ = type_18(1f, 0f);
+                        phi_693_ = type_18(0f, 0f);
+                    } else {
+                        phi_692_ = _e500;
                         phi_693_ = type_18(1f, 0f);
-                        phi_694_ = type_18(0f, 0f);
-                    } else {
-                        phi_693_ = _e501;
-                        phi_694_ = type_18(1f, 0f);
                     }
-                    let _e505 = phi_693_;
-                    let _e507 = phi_694_;
-                    if _e447 {
-                        phi_714_ = type_19(_e505, _e507);
+                    let _e504 = phi_692_;
+                    let _e506 = phi_693_;
+                    if _e446 {
+                        phi_713_ = type_19(_e504, _e506);
                     } else {
-                        let _e509 = (_e463 + _e473);
-                        let _e510 = (_e483 + _e493);
-                        if (_e509 < _e510) {
-                            phi_705_ = type_18(_e463, _e473);
+                        let _e508 = (_e462 + _e472);
+                        let _e509 = (_e482 + _e492);
+                        if (_e508 < _e509) {
+                            phi_704_ = type_18(_e462, _e472);
                         } else {
-                            phi_705_ = type_18(_e483, _e493);
+                            phi_704_ = type_18(_e482, _e492);
                         }
-                        let _e515 = phi_705_;
-                        if (_e509 > _e510) {
-                            phi_712_ = type_18(_e463, _e473);
+                        let _e514 = phi_704_;
+                        if (_e508 > _e509) {
+                            phi_711_ = type_18(_e462, _e472);
                         } else {
-                            phi_712_ = type_18(_e483, _e493);
+                            phi_711_ = type_18(_e482, _e492);
                         }
-                        let _e520 = phi_712_;
-                        phi_714_ = type_19(_e515, _e520);
+                        let _e519 = phi_711_;
+                        phi_713_ = type_19(_e514, _e519);
                     }
-                    let _e523 = phi_714_;
-                    if ((_e347.member.member + _e347.member.member_1) > (_e435.member.member + _e435.member.member_1)) {
-                        phi_725_ = _e347.member;
+                    let _e522 = phi_713_;
+                    if ((_e346.member.member + _e346.member.member_1) > (_e434.member.member + _e434.member.member_1)) {
+                        phi_724_ = _e346.member;
                     } else {
-                        phi_725_ = _e435.member;
+                        phi_724_ = _e434.member;
                     }
-                    let _e538 = phi_725_;
-                    if ((_e538.member + _e538.member_1) > (_e523.member.member + _e523.member.member_1)) {
-                        phi_733_ = _e538;
+                    let _e537 = phi_724_;
+                    if ((_e537.member + _e537.member_1) > (_e522.member.member + _e522.member.member_1)) {
+                        phi_732_ = _e537;
                     } else {
-                        phi_733_ = _e523.member;
+                        phi_732_ = _e522.member;
                     }
-                    let _e546 = phi_733_;
-                    if ((_e347.member_1.member + _e347.member_1.member_1) < (_e435.member_1.member + _e435.member_1.member_1)) {
-                        phi_742_ = _e347.member_1;
+                    let _e545 = phi_732_;
+                    if ((_e346.member_1.member + _e346.member_1.member_1) < (_e434.member_1.member + _e434.member_1.member_1)) {
+                        phi_741_ = _e346.member_1;
                     } else {
-                        phi_742_ = _e435.member_1;
+                        phi_741_ = _e434.member_1;
                     }
-                    let _e555 = phi_742_;
-                    if ((_e555.member + _e555.member_1) < (_e523.member_1.member + _e523.member_1.member_1)) {
-                        phi_750_ = _e555;
+                    let _e554 = phi_741_;
+                    if ((_e554.member + _e554.member_1) < (_e522.member_1.member + _e522.member_1.member_1)) {
+                        phi_749_ = _e554;
                     } else {
-                        phi_750_ = _e523.member_1;
+                        phi_749_ = _e522.member_1;
                     }
-                    let _e563 = phi_750_;
-                    let _e566 = (_e563.member - _e546.member);
-                    let _e567 = (_e563.member_1 - _e546.member_1);
-                    if ((_e566 + _e567) > 0f) {
-                        phi_758_ = type_18(_e566, _e567);
+                    let _e562 = phi_749_;
+                    let _e565 = (_e562.member - _e545.member);
+                    let _e566 = (_e562.member_1 - _e545.member_1);
+                    if ((_e565 + _e566) > 0f) {
+                        phi_757_ = type_18(_e565, _e566);
                     } else {
-                        phi_758_ = type_18(0f, 0f);
+                        phi_757_ = type_18(0f, 0f);
                     }
-                    let _e572 = phi_758_;
-                    let _e578 = (0f + ((_e572.member * _e259) + (_e572.member_1 * _e268)));
-                    let _e580 = (0f + (_e572.member * _e258));
-                    let _e584 = (trunc(((_e580 + _e578) * 4096f)) * _e154);
-                    let _e586 = ((_e580 - _e584) + _e578);
-                    let _e590 = (0f + ((_e572.member * _e261) + (_e572.member_1 * _e357)));
-                    let _e592 = (0f + (_e572.member * _e260));
-                    let _e596 = (trunc(((_e592 + _e590) * 4096f)) * _e154);
-                    let _e598 = ((_e592 - _e596) + _e590);
-                    let _e602 = (0f + ((_e572.member * _e263) + (_e572.member_1 * _e445)));
-                    let _e604 = (0f + (_e572.member * _e262));
-                    let _e608 = (trunc(((_e604 + _e602) * 4096f)) * _e154);
-                    let _e610 = ((_e604 - _e608) + _e602);
-                    let _e611 = (_e584 + _e586);
-                    let _e612 = (_e596 + _e598);
-                    let _e613 = (_e608 + _e610);
-                    let _e619 = sqrt((((_e611 * _e611) + (_e612 * _e612)) + (_e613 * _e613)));
-                    let _e620 = (_e619 > 0f);
-                    let _e622 = ceil((_e619 / _e266));
-                    let _e623 = f32(16384u);
-                    let _e625 = select(1f, _e622, (_e622 > 1f));
-                    let _e627 = select(_e623, _e625, (_e625 < _e623));
-                    let _e631 = (_e220 + ((_e546.member * _e259) + (_e546.member_1 * _e268)));
-                    let _e633 = (_e218 + (_e546.member * _e258));
-                    let _e637 = (trunc(((_e633 + _e631) * 4096f)) * _e154);
-                    let _e643 = (_e236 + ((_e546.member * _e261) + (_e546.member_1 * _e357)));
-                    let _e645 = (_e234 + (_e546.member * _e260));
-                    let _e649 = (trunc(((_e645 + _e643) * 4096f)) * _e154);
-                    let _e655 = (_e252 + ((_e546.member * _e263) + (_e546.member_1 * _e445)));
-                    let _e657 = (_e250 + (_e546.member * _e262));
-                    let _e661 = (trunc(((_e657 + _e655) * 4096f)) * _e154);
-                    if _e620 {
-                        phi_786_ = select(select(u32(_e627), 0u, !((_e627 >= bitcast<f32>(0u)))), 4294967295u, (_e627 > bitcast<f32>(1333788671u)));
+                    let _e571 = phi_757_;
+                    let _e577 = (0f + ((_e571.member * _e258) + (_e571.member_1 * _e267)));
+                    let _e579 = (0f + (_e571.member * _e257));
+                    let _e583 = (trunc(((_e579 + _e577) * 4096f)) * _e153);
+                    let _e585 = ((_e579 - _e583) + _e577);
+                    let _e589 = (0f + ((_e571.member * _e260) + (_e571.member_1 * _e356)));
+                    let _e591 = (0f + (_e571.member * _e259));
+                    let _e595 = (trunc(((_e591 + _e589) * 4096f)) * _e153);
+                    let _e597 = ((_e591 - _e595) + _e589);
+                    let _e601 = (0f + ((_e571.member * _e262) + (_e571.member_1 * _e444)));
+                    let _e603 = (0f + (_e571.member * _e261));
+                    let _e607 = (trunc(((_e603 + _e601) * 4096f)) * _e153);
+                    let _e609 = ((_e603 - _e607) + _e601);
+                    let _e610 = (_e583 + _e585);
+                    let _e611 = (_e595 + _e597);
+                    let _e612 = (_e607 + _e609);
+                    let _e618 = sqrt((((_e610 * _e610) + (_e611 * _e611)) + (_e612 * _e612)));
+                    let _e619 = (_e618 > 0f);
+                    let _e621 = ceil((_e618 / _e265));
+                    let _e622 = f32(16384u);
+                    let _e624 = select(1f, _e621, (_e621 > 1f));
+                    let _e626 = select(_e622, _e624, (_e624 < _e622));
+                    let _e630 = (_e219 + ((_e545.member * _e258) + (_e545.member_1 * _e267)));
+                    let _e632 = (_e217 + (_e545.member * _e257));
+                    let _e636 = (trunc(((_e632 + _e630) * 4096f)) * _e153);
+                    let _e642 = (_e235 + ((_e545.member * _e260) + (_e545.member_1 * _e356)));
+                    let _e644 = (_e233 + (_e545.member * _e259));
+                    let _e648 = (trunc(((_e644 + _e642) * 4096f)) * _e153);
+                    let _e654 = (_e251 + ((_e545.member * _e262) + (_e545.member_1 * _e444)));
+                    let _e656 = (_e249 + (_e545.member * _e261));
+                    let _e660 = (trunc(((_e656 + _e654) * 4096f)) * _e153);
+                    if _e619 {
+                        phi_785_ = select(select(u32(_e626), 0u, !((_e626 >= bitcast<f32>(0u)))), 4294967295u, (_e626 > bitcast<f32>(1333788671u)));
                     } else {
-                        phi_786_ = 0u;
+                        phi_785_ = 0u;
                     }
-                    let _e673 = phi_786_;
-                    if _e620 {
-                        phi_790_ = ((_e619 / _e627) / _e266);
+                    let _e672 = phi_785_;
+                    if _e619 {
+                        phi_789_ = ((_e618 / _e626) / _e265);
                     } else {
-                        phi_790_ = 0f;
+                        phi_789_ = 0f;
                     }
-                    let _e677 = phi_790_;
-                    global_8.member[_e253] = vec4<f32>(_e637, _e649, _e661, _e677);
-                    global_8.member[(_e253 + 1u)] = vec4<f32>(_e584, _e596, _e608, 0f);
-                    global_8.member[(_e253 + 2u)] = vec4<f32>(((_e633 - _e637) + _e631), ((_e645 - _e649) + _e643), ((_e657 - _e661) + _e655), 0f);
-                    global_8.member[(_e253 + 3u)] = vec4<f32>(_e586, _e598, _e610, 0f);
-                    global_9.member[_e60] = _e673;
+                    let _e676 = phi_789_;
+                    global_8.member[_e252] = vec4<f32>(_e636, _e648, _e660, _e676);
+                    global_8.member[(_e252 + 1u)] = vec4<f32>(_e583, _e595, _e607, 0f);
+                    global_8.member[(_e252 + 2u)] = vec4<f32>(((_e632 - _e636) + _e630), ((_e644 - _e648) + _e642), ((_e656 - _e660) + _e654), 0f);
+                    global_8.member[(_e252 + 3u)] = vec4<f32>(_e585, _e597, _e609, f32(_e672));
+                    global_9.member[_e59] = _e672;
                 } else {
-                    let _e697 = ((_e218 - 0.5f) + (_e220 - 0f));
-                    let _e700 = ((_e234 - 0.5f) + (_e236 - 0f));
-                    let _e703 = ((_e250 - 0.5f) + (_e252 - 0f));
-                    let _e706 = ((_e155 - 0.5f) + (_e157 - 0f));
-                    let _e709 = ((_e172 - 0.5f) + (_e174 - 0f));
-                    let _e712 = ((_e189 - 0.5f) + (_e191 - 0f));
+                    let _e697 = ((_e217 - 0.5f) + (_e219 - 0f));
+                    let _e700 = ((_e233 - 0.5f) + (_e235 - 0f));
+                    let _e703 = ((_e249 - 0.5f) + (_e251 - 0f));
+                    let _e706 = ((_e154 - 0.5f) + (_e156 - 0f));
+                    let _e709 = ((_e171 - 0.5f) + (_e173 - 0f));
+                    let _e712 = ((_e188 - 0.5f) + (_e190 - 0f));
                     let _e715 = global_3.member.member_2;
                     let _e716 = -(1000000000000000f);
                     let _e718 = select(_e716, _e697, (_e697 > _e716));
@@ -548,11 +548,11 @@ fn function_() {
                         phi_883_ = 0f;
                     }
                     let _e826 = phi_883_;
-                    global_8.member[_e253] = vec4<f32>(_e764, _e765, _e766, _e826);
-                    global_8.member[(_e253 + 1u)] = vec4<f32>(_e753, _e754, _e755, _e774);
-                    global_8.member[(_e253 + 2u)] = vec4<f32>(_e788, _e802, 0f, 0f);
-                    global_8.member[(_e253 + 3u)] = vec4<f32>(0f, 0f, 0f, 0f);
-                    global_9.member[_e60] = _e822;
+                    global_8.member[_e252] = vec4<f32>(_e764, _e765, _e766, _e826);
+                    global_8.member[(_e252 + 1u)] = vec4<f32>(_e753, _e754, _e755, _e774);
+                    global_8.member[(_e252 + 2u)] = vec4<f32>(_e788, _e802, 0f, 0f);
+                    global_8.member[(_e252 + 3u)] = vec4<f32>(0f, 0f, 0f, f32(_e822));
+                    global_9.member[_e59] = _e822;
                 }
             }
             break;

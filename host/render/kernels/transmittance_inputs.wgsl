@@ -22,13 +22,13 @@ struct type_16 {
     member: array<vec4<f32>>,
 }
 
-struct type_18 {
-    member: f32,
-    member_1: f32,
+struct type_20 {
+    member: array<f32>,
 }
 
 struct type_22 {
-    member: array<f32>,
+    member: f32,
+    member_1: f32,
 }
 
 var<private> global: vec3<u32>;
@@ -42,230 +42,164 @@ var<storage> global_4: type_10;
 var<storage> global_5: type_16;
 @group(0) @binding(1) 
 var<storage> global_6: type_10;
-@group(0) @binding(6) 
-var<storage, read_write> global_7: type_22;
 @group(0) @binding(5) 
-var<storage> global_8: type_22;
-@group(0) @binding(4) 
-var<storage> global_9: type_22;
+var<storage> global_7: type_20;
+@group(0) @binding(6) 
+var<storage> global_8: type_20;
 @group(0) @binding(7) 
-var<storage, read_write> global_10: type_22;
+var<storage, read_write> global_9: type_20;
+@group(0) @binding(4) 
+var<storage> global_10: type_20;
+@group(0) @binding(8) 
+var<storage, read_write> global_11: type_20;
 
 fn function_() {
-    var phi_237_: u32;
-    var phi_240_: u32;
+    var phi_180_: u32;
+    var phi_183_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
+    var phi_246_: f32;
+    var phi_247_: f32;
+    var phi_306_: array<type_22, 3>;
+    var phi_332_: u32;
     var local_3: u32;
-    var phi_352_: array<type_18, 3>;
-    var phi_497_: f32;
-    var phi_502_: u32;
     var local_4: u32;
     var local_5: u32;
-    var local_6: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e35 = global;
-            let _e36 = global_1;
-            let _e37 = global_2;
-            let _e45 = (((_e36.x + (_e36.y * _e37.x)) * 64u) + _e35.x);
-            let _e48 = global_3.member.member;
-            if (_e45 < _e48) {
-                let _e52 = global_3.member.member_1;
-                let _e53 = (_e52 + _e45);
-                let _e56 = global_3.member.member_3;
-                phi_237_ = _e56;
-                phi_240_ = 0u;
+            let _e36 = global;
+            let _e37 = global_1;
+            let _e38 = global_2;
+            let _e46 = (((_e37.x + (_e37.y * _e38.x)) * 64u) + _e36.x);
+            let _e49 = global_3.member.member;
+            if (_e46 < _e49) {
+                let _e53 = global_3.member.member_1;
+                let _e54 = (_e53 + _e46);
+                let _e57 = global_3.member.member_3;
+                phi_180_ = _e57;
+                phi_183_ = 0u;
                 loop {
-                    let _e58 = phi_237_;
-                    let _e60 = phi_240_;
-                    let _e61 = (_e60 + 1u);
-                    local = _e60;
+                    let _e59 = phi_180_;
+                    let _e61 = phi_183_;
+                    local = _e61;
                     local_1 = _e61;
-                    local_2 = _e60;
-                    local_3 = _e60;
-                    if (_e61 < _e58) {
-                        let _e64 = ((_e60 + _e58) / 2u);
-                        let _e67 = global_4.member[_e64];
-                        let _e68 = (_e67 <= _e53);
-                        local_4 = select(_e64, _e58, _e68);
-                        local_5 = select(_e60, _e64, _e68);
+                    local_2 = _e61;
+                    if ((_e61 + 1u) < _e59) {
+                        let _e65 = ((_e61 + _e59) / 2u);
+                        let _e68 = global_4.member[_e65];
+                        let _e69 = (_e68 <= _e54);
+                        local_3 = select(_e65, _e59, _e69);
+                        local_4 = select(_e61, _e65, _e69);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e522 = local_4;
-                        phi_237_ = _e522;
-                        let _e525 = local_5;
-                        phi_240_ = _e525;
+                        let _e344 = local_3;
+                        phi_180_ = _e344;
+                        let _e347 = local_4;
+                        phi_183_ = _e347;
                     }
                 }
-                let _e73 = local;
-                let _e75 = global_4.member[_e73];
-                let _e78 = local_1;
-                let _e80 = global_4.member[_e78];
-                let _e85 = f32((_e80 - _e75));
-                let _e87 = local_2;
-                let _e88 = (_e87 * 4u);
-                let _e91 = global_5.member[_e88];
-                let _e99 = global_5.member[(_e88 + 1u)];
-                let _e107 = global_5.member[(_e88 + 2u)];
-                let _e114 = global_5.member[(_e88 + 3u)];
-                let _e120 = local_3;
-                let _e122 = global_6.member[_e120];
-                let _e125 = global_3.member.member_4;
-                if (_e125 == 0u) {
+                let _e74 = local;
+                let _e76 = global_4.member[_e74];
+                let _e81 = local_1;
+                let _e82 = (_e81 * 4u);
+                let _e85 = global_5.member[_e82];
+                let _e93 = global_5.member[(_e82 + 1u)];
+                let _e101 = global_5.member[(_e82 + 2u)];
+                let _e108 = global_5.member[(_e82 + 3u)];
+                let _e115 = local_2;
+                let _e117 = global_6.member[_e115];
+                let _e120 = global_3.member.member_4;
+                if (_e120 == 0u) {
                     break;
                 }
-                let _e130 = global_3.member.member_5;
-                let _e132 = ((f32((_e53 - _e75)) + 0f) + 0.5f);
-                let _e133 = (_e85 + 0f);
-                let _e135 = ((_e132 + 0f) / _e133);
-                let _e137 = select(0f, _e135, (_e135 > 0f));
-                let _e139 = select(1f, _e137, (_e137 < 1f));
-                let _e143 = (trunc((_e139 * 1024f)) * (1f / 1024f));
-                let _e146 = bitcast<u32>(_e143);
-                let _e158 = select(0f, (((_e132 - (_e143 * _e85)) + (0f - bitcast<f32>(select(2143289344u, (_e146 & 2147483648u), ((_e146 & 2147483647u) < 2139095040u))))) / _e133), select(false, (_e139 < 1f), (0f < _e139)));
-                let _e161 = global_3.member.member_7;
-                if (_e161 == 0u) {
-                    let _e234 = (_e107.x + ((_e143 * _e114.x) + (_e158 * (_e99.x + _e114.x))));
-                    let _e236 = (_e91.x + (_e143 * _e99.x));
-                    let _e240 = (1f / 4096f);
-                    let _e241 = (trunc(((_e236 + _e234) * 4096f)) * _e240);
-                    let _e248 = (_e107.y + ((_e143 * _e114.y) + (_e158 * (_e99.y + _e114.y))));
-                    let _e250 = (_e91.y + (_e143 * _e99.y));
-                    let _e254 = (trunc(((_e250 + _e248) * 4096f)) * _e240);
-                    let _e261 = (_e107.z + ((_e143 * _e114.z) + (_e158 * (_e99.z + _e114.z))));
-                    let _e263 = (_e91.z + (_e143 * _e99.z));
-                    let _e267 = (trunc(((_e263 + _e261) * 4096f)) * _e240);
-                    phi_352_ = array<type_18, 3>(type_18(_e241, ((_e236 - _e241) + _e234)), type_18(_e254, ((_e250 - _e254) + _e248)), type_18(_e267, ((_e263 - _e267) + _e261)));
+                let _e125 = global_3.member.member_5;
+                let _e129 = global_3.member.member_8;
+                if (_e129 == 0u) {
+                    phi_246_ = (f32((_e54 - _e76)) + 0f);
+                    phi_247_ = _e85.w;
                 } else {
-                    let _e165 = (_e107.x + ((_e143 + _e158) * _e107.y));
-                    let _e166 = (_e165 < 0f);
-                    let _e168 = select(_e165, -(_e165), _e166);
-                    let _e173 = (_e99.w / (2f - (select(_e99.w, _e168, (_e168 > _e99.w)) / _e99.w)));
-                    let _e177 = select(select(_e173, -(_e173), _e166), _e165, (_e168 <= _e99.w));
-                    let _e179 = (_e91.x + (_e177 * _e99.x));
-                    let _e181 = (_e91.y + (_e177 * _e99.y));
-                    let _e183 = (_e91.z + (_e177 * _e99.z));
-                    let _e186 = select(_e179, -(_e179), (_e179 < 0f));
-                    let _e189 = select(_e181, -(_e181), (_e181 < 0f));
-                    let _e191 = select(_e189, _e186, (_e186 > _e189));
-                    let _e194 = select(_e183, -(_e183), (_e183 < 0f));
-                    let _e196 = select(_e194, _e191, (_e191 > _e194));
-                    let _e198 = select(0.25f, _e196, (_e196 > 0.25f));
-                    let _e203 = select(1f, ((0.5f - (0.0625f / _e198)) / _e198), (0.25f < _e198));
-                    let _e204 = (_e179 * _e203);
-                    let _e208 = (1f / 4096f);
-                    let _e209 = (trunc(((0.5f + _e204) * 4096f)) * _e208);
-                    let _e212 = (_e181 * _e203);
-                    let _e216 = (trunc(((0.5f + _e212) * 4096f)) * _e208);
-                    let _e219 = (_e183 * _e203);
-                    let _e223 = (trunc(((0.5f + _e219) * 4096f)) * _e208);
-                    phi_352_ = array<type_18, 3>(type_18(_e209, ((0.5f - _e209) + _e204)), type_18(_e216, ((0.5f - _e216) + _e212)), type_18(_e223, ((0.5f - _e223) + _e219)));
+                    let _e133 = global_7.member[_e54];
+                    let _e136 = global_8.member[_e54];
+                    phi_246_ = _e133;
+                    phi_247_ = (_e85.w * _e136);
                 }
-                let _e275 = phi_352_;
-                let _e278 = global_3.member.member_2;
-                global_7.member[_e45] = _e275[0].member;
-                global_7.member[(_e278 + _e45)] = _e275[1].member;
-                global_7.member[((2u * _e278) + _e45)] = _e275[2].member;
-                global_7.member[((3u * _e278) + _e45)] = _e275[0].member_1;
-                global_7.member[((4u * _e278) + _e45)] = _e275[1].member_1;
-                global_7.member[((5u * _e278) + _e45)] = _e275[2].member_1;
-                let _e314 = global_3.member.member_8;
-                if (_e314 == 0u) {
-                    phi_497_ = _e91.w;
+                let _e139 = phi_246_;
+                let _e141 = phi_247_;
+                let _e144 = global_3.member.member_2;
+                let _e147 = global_3.member.member_7;
+                let _e148 = (_e139 + 0.5f);
+                let _e149 = (_e108.w + 0f);
+                let _e151 = ((_e148 + 0f) / _e149);
+                let _e153 = select(0f, _e151, (_e151 > 0f));
+                let _e155 = select(1f, _e153, (_e153 < 1f));
+                let _e159 = (trunc((_e155 * 1024f)) * (1f / 1024f));
+                let _e162 = bitcast<u32>(_e159);
+                let _e174 = select(0f, (((_e148 - (_e159 * _e108.w)) + (0f - bitcast<f32>(select(2143289344u, (_e162 & 2147483648u), ((_e162 & 2147483647u) < 2139095040u))))) / _e149), select(false, (_e155 < 1f), (0f < _e155)));
+                if (_e147 == 0u) {
+                    let _e180 = (_e101.x + ((_e159 * _e108.x) + (_e174 * (_e93.x + _e108.x))));
+                    let _e182 = (_e85.x + (_e159 * _e93.x));
+                    let _e186 = (1f / 4096f);
+                    let _e187 = (trunc(((_e182 + _e180) * 4096f)) * _e186);
+                    let _e194 = (_e101.y + ((_e159 * _e108.y) + (_e174 * (_e93.y + _e108.y))));
+                    let _e196 = (_e85.y + (_e159 * _e93.y));
+                    let _e200 = (trunc(((_e196 + _e194) * 4096f)) * _e186);
+                    let _e207 = (_e101.z + ((_e159 * _e108.z) + (_e174 * (_e93.z + _e108.z))));
+                    let _e209 = (_e85.z + (_e159 * _e93.z));
+                    let _e213 = (trunc(((_e209 + _e207) * 4096f)) * _e186);
+                    phi_306_ = array<type_22, 3>(type_22(_e187, ((_e182 - _e187) + _e180)), type_22(_e200, ((_e196 - _e200) + _e194)), type_22(_e213, ((_e209 - _e213) + _e207)));
                 } else {
-                    let _e316 = (_e314 + 2u);
-                    let _e317 = f32(_e314);
-                    let _e318 = (_e316 * _e316);
-                    let _e319 = (_e318 * _e316);
-                    let _e320 = (_e275[0].member + _e275[0].member_1);
-                    let _e323 = select(false, (_e320 < 1f), (0f < _e320));
-                    let _e326 = select(select(0f, 1f, (1f <= _e320)), _e275[0].member, _e323);
-                    let _e328 = (_e326 * _e317);
-                    let _e329 = bitcast<u32>(_e326);
-                    let _e335 = (_e317 + 0f);
-                    let _e339 = trunc(_e328);
-                    let _e341 = ((_e328 - _e339) + ((bitcast<f32>(select(2143289344u, (_e329 & 2147483648u), ((_e329 & 2147483647u) < 2139095040u))) + (select(0f, _e275[0].member_1, _e323) * _e335)) + 0.5f));
-                    let _e343 = select(0f, _e341, (_e341 > 0f));
-                    let _e344 = trunc(_e343);
-                    let _e345 = (_e343 - _e344);
-                    let _e347 = u32((_e339 + _e344));
-                    let _e348 = (_e275[1].member + _e275[1].member_1);
-                    let _e351 = select(false, (_e348 < 1f), (0f < _e348));
-                    let _e354 = select(select(0f, 1f, (1f <= _e348)), _e275[1].member, _e351);
-                    let _e356 = (_e354 * _e317);
-                    let _e357 = bitcast<u32>(_e354);
-                    let _e366 = trunc(_e356);
-                    let _e368 = ((_e356 - _e366) + ((bitcast<f32>(select(2143289344u, (_e357 & 2147483648u), ((_e357 & 2147483647u) < 2139095040u))) + (select(0f, _e275[1].member_1, _e351) * _e335)) + 0.5f));
-                    let _e370 = select(0f, _e368, (_e368 > 0f));
-                    let _e371 = trunc(_e370);
-                    let _e372 = (_e370 - _e371);
-                    let _e375 = (_e275[2].member + _e275[2].member_1);
-                    let _e378 = select(false, (_e375 < 1f), (0f < _e375));
-                    let _e381 = select(select(0f, 1f, (1f <= _e375)), _e275[2].member, _e378);
-                    let _e383 = (_e381 * _e317);
-                    let _e384 = bitcast<u32>(_e381);
-                    let _e393 = trunc(_e383);
-                    let _e395 = ((_e383 - _e393) + ((bitcast<f32>(select(2143289344u, (_e384 & 2147483648u), ((_e384 & 2147483647u) < 2139095040u))) + (select(0f, _e275[2].member_1, _e378) * _e335)) + 0.5f));
-                    let _e397 = select(0f, _e395, (_e395 > 0f));
-                    let _e398 = trunc(_e397);
-                    let _e399 = (_e397 - _e398);
-                    let _e402 = (1f - _e345);
-                    let _e403 = (1f - _e372);
-                    let _e404 = (1f - _e399);
-                    let _e405 = (_e402 * _e403);
-                    let _e406 = (_e345 * _e403);
-                    let _e407 = (_e402 * _e372);
-                    let _e408 = (_e345 * _e372);
-                    let _e417 = (u32((_e366 + _e371)) * _e316);
-                    let _e418 = (u32((_e393 + _e398)) * _e318);
-                    let _e419 = (_e347 + 1u);
-                    let _e420 = (_e417 + _e316);
-                    let _e421 = (_e418 + _e318);
-                    let _e422 = (_e347 + _e417);
-                    let _e423 = (_e422 + _e418);
-                    let _e427 = (_e419 + _e417);
-                    let _e428 = (_e427 + _e418);
-                    let _e432 = (_e347 + _e420);
-                    let _e433 = (_e432 + _e418);
-                    let _e437 = (_e419 + _e420);
-                    let _e438 = (_e437 + _e418);
-                    let _e442 = (_e422 + _e421);
-                    let _e446 = (_e427 + _e421);
-                    let _e450 = (_e432 + _e421);
-                    let _e454 = (_e437 + _e421);
-                    let _e460 = global_8.member[select((_e423 - _e319), _e423, (_e423 < _e319))];
-                    let _e464 = global_8.member[select((_e428 - _e319), _e428, (_e428 < _e319))];
-                    let _e468 = global_8.member[select((_e433 - _e319), _e433, (_e433 < _e319))];
-                    let _e472 = global_8.member[select((_e438 - _e319), _e438, (_e438 < _e319))];
-                    let _e476 = global_8.member[select((_e442 - _e319), _e442, (_e442 < _e319))];
-                    let _e480 = global_8.member[select((_e446 - _e319), _e446, (_e446 < _e319))];
-                    let _e484 = global_8.member[select((_e450 - _e319), _e450, (_e450 < _e319))];
-                    let _e488 = global_8.member[select((_e454 - _e319), _e454, (_e454 < _e319))];
-                    phi_497_ = (_e91.w * ((((((((_e460 * (_e405 * _e404)) + (_e464 * (_e406 * _e404))) + (_e468 * (_e407 * _e404))) + (_e472 * (_e408 * _e404))) + (_e476 * (_e405 * _e399))) + (_e480 * (_e406 * _e399))) + (_e484 * (_e407 * _e399))) + (_e488 * (_e408 * _e399))));
+                    let _e222 = (_e101.x + ((_e159 + _e174) * _e101.y));
+                    let _e223 = (_e222 < 0f);
+                    let _e225 = select(_e222, -(_e222), _e223);
+                    let _e230 = (_e93.w / (2f - (select(_e93.w, _e225, (_e225 > _e93.w)) / _e93.w)));
+                    let _e234 = select(select(_e230, -(_e230), _e223), _e222, (_e225 <= _e93.w));
+                    let _e236 = (_e85.x + (_e234 * _e93.x));
+                    let _e238 = (_e85.y + (_e234 * _e93.y));
+                    let _e240 = (_e85.z + (_e234 * _e93.z));
+                    let _e243 = select(_e236, -(_e236), (_e236 < 0f));
+                    let _e246 = select(_e238, -(_e238), (_e238 < 0f));
+                    let _e248 = select(_e246, _e243, (_e243 > _e246));
+                    let _e251 = select(_e240, -(_e240), (_e240 < 0f));
+                    let _e253 = select(_e251, _e248, (_e248 > _e251));
+                    let _e255 = select(0.25f, _e253, (_e253 > 0.25f));
+                    let _e260 = select(1f, ((0.5f - (0.0625f / _e255)) / _e255), (0.25f < _e255));
+                    let _e261 = (_e236 * _e260);
+                    let _e265 = (1f / 4096f);
+                    let _e266 = (trunc(((0.5f + _e261) * 4096f)) * _e265);
+                    let _e269 = (_e238 * _e260);
+                    let _e273 = (trunc(((0.5f + _e269) * 4096f)) * _e265);
+                    let _e276 = (_e240 * _e260);
+                    let _e280 = (trunc(((0.5f + _e276) * 4096f)) * _e265);
+                    phi_306_ = array<type_22, 3>(type_22(_e266, ((0.5f - _e266) + _e261)), type_22(_e273, ((0.5f - _e273) + _e269)), type_22(_e280, ((0.5f - _e280) + _e276)));
                 }
-                let _e499 = phi_497_;
-                global_7.member[((6u * _e278) + _e45)] = _e499;
-                phi_502_ = 0u;
+                let _e288 = phi_306_;
+                global_9.member[_e46] = _e288[0].member;
+                global_9.member[(_e144 + _e46)] = _e288[1].member;
+                global_9.member[((2u * _e144) + _e46)] = _e288[2].member;
+                global_9.member[((3u * _e144) + _e46)] = _e288[0].member_1;
+                global_9.member[((4u * _e144) + _e46)] = _e288[1].member_1;
+                global_9.member[((5u * _e144) + _e46)] = _e288[2].member_1;
+                global_9.member[((6u * _e144) + _e46)] = _e141;
+                phi_332_ = 0u;
                 loop {
-                    let _e505 = phi_502_;
-                    if (_e505 < _e130) {
-                        let _e510 = global_9.member[(((_e122 % _e125) * _e130) + _e505)];
-                        let _e513 = global_3.member.member_6;
-                        global_10.member[(((_e513 + _e505) * _e278) + _e45)] = _e510;
-                        local_6 = (_e505 + 1u);
+                    let _e327 = phi_332_;
+                    if (_e327 < _e125) {
+                        let _e332 = global_10.member[(((_e117 % _e120) * _e125) + _e327)];
+                        let _e335 = global_3.member.member_6;
+                        global_11.member[(((_e335 + _e327) * _e144) + _e46)] = _e332;
+                        local_5 = (_e327 + 1u);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e534 = local_6;
-                        phi_502_ = _e534;
+                        let _e356 = local_5;
+                        phi_332_ = _e356;
                     }
                 }
             }

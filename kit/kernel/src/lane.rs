@@ -85,6 +85,8 @@ pub trait Lane:
     fn materialize(self) -> Self;
     /// The sum of all lanes, as a tree of pairs: always in the same order.
     fn sum(self) -> f32;
+    /// The value of a lane.
+    fn lane(self, lane: u32) -> f32;
     /// Reads consecutive values, starting at `first`.
     fn read(buffer: Read<f32>, first: u32) -> Self;
     /// Reads consecutive values, starting at `first`, from a buffer that is also written.
@@ -231,6 +233,11 @@ impl Lane for f32 {
 
     #[inline(always)]
     fn sum(self) -> f32 {
+        self
+    }
+
+    #[inline(always)]
+    fn lane(self, _: u32) -> f32 {
         self
     }
 

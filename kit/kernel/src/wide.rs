@@ -173,6 +173,11 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     }
 
     #[inline(always)]
+    fn lane(self, lane: u32) -> f32 {
+        self.0[lane as usize]
+    }
+
+    #[inline(always)]
     #[track_caller]
     fn read(buffer: Read<f32>, first: u32) -> Self {
         Self(buffer.read_lanes(first))

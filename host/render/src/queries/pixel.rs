@@ -52,7 +52,7 @@ pub struct Contribution {
     pub falloff: f32,
     /// `sigmoid` of the opacity logit.
     pub opacity: f32,
-    /// Samples of the segment, K of Eq. 8.
+    /// Steps of the segment, K of Eq. 8.
     pub samples: u32,
     /// T of Eq. 11.
     pub transmittance: f32,
@@ -123,12 +123,11 @@ impl Renderer {
         }
 
         let projection = device.read(&pairs.projection)?;
-        let first = device.read(&transmittance.segments.first_sample)?;
         Ok(Stages {
             sh,
             color_encoding,
             color: device.read(&color.color)?,
-            sample_count: first.windows(2).map(|range| range[1] - range[0]).collect(),
+            sample_count: transmittance.segments.steps(device)?,
             transmittance: device.read(&transmittance.transmittance)?,
             mean2d: projection.iter().step_by(2).map(|p| [p.x, p.y]).collect(),
             radius: projection.iter().step_by(2).map(|p| p.z).collect(),
@@ -244,7 +243,7 @@ impl Renderer {
 fn contributions(scene: &DeviceScene, part: &Part, pixel: [i32; 2]) -> Result<Vec<Contribution>> {
     let device = scene.device();
     let pair = device.read(&part.bins.pairs.pair)?;
-    let first = device.read(&part.transmittance.segments.first_sample)?;
+    let steps = part.transmittance.segments.steps(device)?;
     let transmittance = device.read(&part.transmittance.transmittance)?;
     let color = device.read(&part.color.color)?;
     let (color, _) = color.as_chunks::<3>();
@@ -271,7 +270,7 @@ fn contributions(scene: &DeviceScene, part: &Part, pixel: [i32; 2]) -> Result<Ve
             distance: d.length(),
             falloff: falloff(q),
             opacity: muslin::math::sigmoid(opacity[gaussian]),
-            samples: first[index + 1] - first[index],
+            samples: steps[index],
             transmittance: transmittance[index],
             alpha,
             color,

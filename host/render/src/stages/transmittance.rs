@@ -4,6 +4,7 @@ use glam::Vec4;
 use muslin::lane_vec4::LaneVec4;
 use organza_shaders::limits::MAX_SAMPLES;
 use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams, contracted_place};
+use organza_shaders::steps::{StepCountKernel, StepFillKernel, StepsParams};
 use organza_shaders::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceInputsKernel,
     TransmittanceInputsParams,
@@ -22,7 +23,7 @@ use super::scan::exclusive_scan;
 use super::tiles::TileBins;
 use crate::gradient::SceneGradient;
 use crate::scene::device_scene::DeviceScene;
-use muslin_device::{Buffer, Count, Error, Result};
+use muslin_device::{Buffer, Count, Device, Error, Result};
 use organza_core::Camera;
 
 /// The segments of all pairs (Eq. 4-8).
@@ -32,6 +33,10 @@ pub struct Segments {
     vectors: Buffer<Vec4>,
     /// `[pairs + 1]`: the index of each segment's first sample, and the number of all samples.
     pub first_sample: Buffer<u32>,
+    /// `[samples]`: with an occupancy grid, which step of its segment a sample is.
+    step: Buffer<f32>,
+    /// `[samples]`: with an occupancy grid, how full it is there.
+    full: Buffer<f32>,
 }
 
 /// Transmittance of every pair.
@@ -74,6 +79,7 @@ impl Transmittance {
         keep: bool,
     ) -> Result<Self> {
         let device = scene.device();
+        let segments = segments.list(scene, pairs, &samples)?;
         let first_sample = &segments.first_sample;
         let inputs = scene.config.transmittance_inputs();
         let end = |&pair: &u32| Ok(device.read_range(first_sample, pair as usize, 1)?[0]);
@@ -133,13 +139,19 @@ impl Transmittance {
         let segment = device.read(&self.segments.vectors)?;
         let first = device.read(&self.segments.first_sample)?;
         let log_rho = device.read(&log_rho)?;
+        let steps = device.read(&self.segments.step)?;
         let is_contracted = !scene.config.contraction.is_none();
         let ray = |(pair, vectors): (usize, &[Vec4; SEGMENT_VECTORS as usize])| {
             let [start, w, start_rest, w_rest] = *vectors;
             let lanes = vectors.map(LaneVec4::splat);
-            let log_rho = &log_rho[first[pair] as usize..first[pair + 1] as usize];
+            let samples = first[pair] as usize..first[pair + 1] as usize;
+            let mut of_steps = vec![0.0; w_rest.w as usize];
+            for (rank, sample) in samples.enumerate() {
+                let step = if scene.config.occupancy == 0 { rank } else { steps[sample] as usize };
+                of_steps[step] = log_rho[sample];
+            }
             let places = if is_contracted {
-                let count = log_rho.len().max(1);
+                let count = of_steps.len().max(1);
                 let place = |step| contracted_place(lanes, step as f32 / count as f32);
                 (0..=count).map(|step| place(step).map(Split::value)).collect()
             } else {
@@ -147,14 +159,14 @@ impl Transmittance {
                 let end = begin + w + w_rest;
                 vec![begin.truncate().to_array(), end.truncate().to_array()]
             };
-            Ray { places, log_rho: log_rho.to_vec() }
+            Ray { places, log_rho: of_steps }
         };
         Ok(segment.as_chunks().0.iter().enumerate().map(ray).collect())
     }
 }
 
 impl Segments {
-    /// Clips or contracts the ray of every pair, and counts its steps.
+    /// Clips or contracts the ray of every pair, and counts its samples: the steps that the occupancy grid does not find empty.
     pub fn new(scene: &DeviceScene, pairs: &Pairs) -> Result<Self> {
         let device = scene.device();
         check_samples(scene, pairs)?;
@@ -176,7 +188,51 @@ impl Segments {
             count: &count,
         };
         device.run_all(&kernel.counted(&pairs.count))?;
-        Ok(Self { vectors, first_sample: exclusive_scan(device, &count, capacity)? })
+        let occupancy = &scene.occupancy.table;
+        if scene.config.occupancy != 0 {
+            let params = steps_params(scene, pairs);
+            let kernel = StepCountKernel { params, segment: &vectors, occupancy, count: &count };
+            device.run_all(&kernel.counted(&pairs.count))?;
+        }
+        let first_sample = exclusive_scan(device, &count, capacity)?;
+        // every binding needs a buffer, even if the kernel does not read it
+        let [step, full] = [occupancy.view(), occupancy.view()];
+        Ok(Self { vectors, first_sample, step, full })
+    }
+
+    /// K of every segment: its steps, samples or not.
+    pub fn steps(&self, device: &Device) -> Result<Vec<u32>> {
+        let vectors = device.read(&self.vectors)?;
+        Ok(vectors.chunks(SEGMENT_VECTORS as usize).map(|of| of[3].w as u32).collect())
+    }
+
+    /// Lists the steps that are samples, if there is an occupancy grid.
+    fn list(self, scene: &DeviceScene, pairs: &Pairs, samples: &Count) -> Result<Self> {
+        if scene.config.occupancy == 0 {
+            return Ok(self);
+        }
+        let device = scene.device();
+        let [step, full] = ["steps of samples", "fullness of samples"]
+            .map(|label| device.unwritten(label, samples.upper_bound() as usize));
+        let [step, full] = [step?, full?];
+        let kernel = StepFillKernel {
+            params: steps_params(scene, pairs),
+            segment: &self.vectors,
+            occupancy: &scene.occupancy.table,
+            first_sample: &self.first_sample,
+            step: &step,
+            full: &full,
+        };
+        device.run_all(&kernel.counted(&pairs.count))?;
+        Ok(Self { step, full, ..self })
+    }
+}
+
+fn steps_params(scene: &DeviceScene, pairs: &Pairs) -> StepsParams {
+    StepsParams {
+        pairs: pairs.count.upper_bound(),
+        side: scene.config.occupancy,
+        contracted: scene.config.contraction.for_kernels(),
     }
 }
 
@@ -234,13 +290,14 @@ fn inputs(
             extra: config.extra,
             extra_row: config.transmittance_grid.width() as u32,
             contracted: config.contraction.for_kernels(),
-            occupancy: config.occupancy,
+            listed: u32::from(config.occupancy != 0),
         },
         pair: &pairs.pair,
         first_sample: &segments.first_sample,
         segment: &segments.vectors,
         extra: &scene.tensors.gaussians.extra,
-        occupancy: &scene.occupancy.table,
+        step: &segments.step,
+        full: &segments.full,
         point: &chunk.point(),
         input: &chunk.input(),
     };

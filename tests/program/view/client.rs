@@ -11,6 +11,7 @@ use std::time::Duration;
 use image::RgbImage;
 use serde_json::{Value, json};
 
+use super::declared::assert_answer;
 use crate::sandbox::Sandbox;
 
 /// Serves a sandbox's scene.
@@ -105,7 +106,12 @@ impl Viewer {
         stream.write_all(&[head.as_bytes(), body].concat()).expect("a request");
         let mut back = Vec::new();
         stream.read_to_end(&mut back).expect("an answer");
-        Reply::from_bytes(&back)
+        let reply = Reply::from_bytes(&back);
+        if reply.status == 200 {
+            let path = head.split(' ').nth(1).expect("a path");
+            assert_answer(path, &reply.headers, &reply.body);
+        }
+        reply
     }
 
     pub fn scene(&self) -> Value {

@@ -4,6 +4,7 @@
 mod browser;
 pub mod chromium;
 pub mod client;
+pub mod declared;
 mod images;
 mod protocol;
 mod training;

@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
 use crate::view::chromium::{Page, base64, program};
+use crate::view::declared::assert_fields;
 
 /// Side of the page's tiles, in pixels.
 const SIDE: u32 = 32;
@@ -268,6 +269,9 @@ fn a_page_renders_by_itself() {
     let mut page = Page::open_with_webgpu(program, &folder, WINDOW);
     page.wait(AT_REST);
     assert_eq!(page.eval("document.title"), "thin \u{b7} organza");
+    for (name, value) in [("Header", ""), ("Kernel", ".kernels[0]"), ("Plan", ".plans[0]")] {
+        assert_fields(name, &page.eval(&format!("Object.keys(organza.header{value})")));
+    }
     page.screenshot("web");
     for steps in [1, 2] {
         assert_eq!(assert_same(&mut page, (&cpu, &scene), &cameras[0], steps), 0);

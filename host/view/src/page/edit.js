@@ -1,22 +1,56 @@
-// Removes Gaussians: a box with handles, a brush, a slider for floaters, undo, and save. The program keeps what is left.
+// Removes Gaussians: a box with handles, a brush, a slider for floaters, undo, and save. The program keeps
+// what is left.
 
 import { add, digits, project, scale, sub, toWorld, eyeOf, length } from "./camera.js";
 import { post } from "./frames.js";
-import { $, css } from "./page.js";
+import { $, css, reason } from "./page.js";
 import { Tool } from "./tool.js";
+
+/** @import { Controls } from "./controls.js" */
+/** @import { Frames } from "./frames.js" */
+/** @import { Viewed } from "./main.js" */
+/** @import { Overlay } from "./overlay.js" */
+/** @import { Camera, Clean, EditAnswer, EditRequest, Pixel, Vector } from "./protocol" */
+
+// The middle has no axis.
+/** @typedef {{ axis: number | null, side: number, color: string, place: Vector }} Face */
 
 const COLORS = ["#e5484d", "#30a46c", "#3e7bfa"]; // x, y, z
 const number = new Intl.NumberFormat("en");
 
+const REMOVALS = ["remove", "keep", "undo"];
+const TOOLS = /** @type {const} */ (["box", "brush"]);
+
 export class Edit extends Tool {
+  /** @type {"box" | "brush" | null} */
+  tool = null;
+  /** @type {Vector[]} of selected Gaussians */
+  places = [];
+  /** @type {Pixel[] | null} of the brush */
+  stroke = null;
+  /** @type {EditAnswer | null} */
+  answer = null;
+  /** @type {Promise<boolean>} the last request */
+  asked = Promise.resolve(true);
+  cleaning = false;
+
+  /**
+   * @param {Viewed} view
+   * @param {Overlay} overlay
+   * @param {Frames} frames
+   * @param {Controls} controls
+   */
   constructor(view, overlay, frames, controls) {
     super(view, overlay, controls);
-    Object.assign(this, { frames, tool: null, places: [], stroke: null });
+    this.frames = frames;
     $("edit").hidden = false;
     const far = length(sub(view.center, eyeOf(view.camera.camera_to_world))) / 4;
     this.box = [view.center.map((x) => x - far), view.center.map((x) => x + far)];
-    for (const tool of ["box", "brush"]) $(`${tool}-tool`).onclick = () => this.choose(tool);
-    const crop = (outside) => () => this.ask({ crop: { low: this.box[0], high: this.box[1], outside } });
+    for (const tool of TOOLS) $(`${tool}-tool`).onclick = () => this.choose(tool);
+    const crop = (/** @type {boolean} */ outside) => () => {
+      const [low, high] = this.box;
+      this.ask({ crop: { low, high, outside } });
+    };
     $("remove-outside").onclick = crop(true);
     $("remove-inside").onclick = crop(false);
     $("remove-selected").onclick = () => this.ask("remove");
@@ -30,36 +64,38 @@ export class Edit extends Tool {
     this.ask("look");
   }
 
+  /** @param {"box" | "brush"} tool */
   choose(tool) {
     this.tool = this.tool === tool ? null : tool;
     if (this.tool && this.overlay.measure?.isOn) this.overlay.measure.toggle();
-    for (const one of ["box", "brush"]) {
-      $(`${one}-tool`).ariaPressed = this.tool === one;
+    for (const one of TOOLS) {
+      $(`${one}-tool`).ariaPressed = String(this.tool === one);
       $(`${one}-actions`).hidden = this.tool !== one;
     }
     this.at = null;
     this.overlay.draw();
   }
 
-  // Asks the program for a change, and shows how things are then. One at a time, in their order.
+  /**
+   * Asks the program for a change, and shows how things are then. One at a time, in their order.
+   * @param {EditRequest} request
+   */
   ask(request) {
-    this.asked = (this.asked ?? Promise.resolve()).then(async () => {
+    this.asked = this.asked.then(async () => {
       try {
+        /** @type {EditAnswer} */
         const answer = await (await post("/edit", JSON.stringify(request))).json();
         const changed = this.answer && answer.left !== this.answer.left;
-        Object.assign(this, { answer, places: answer.places });
+        this.answer = answer;
+        this.places = answer.places;
         // what was hidden is removed now, or back
-        if (request.crop || ["remove", "keep", "undo"].includes(request)) $("clean").value = 0;
-        this.sayClean(answer.clean);
-        $("left").textContent = `${number.format(answer.left)} left`;
-        $("undo-edit").disabled = !answer.removals;
-        $("remove-selected").disabled = $("clear-selected").disabled = !answer.selected;
-        $("edit-said").textContent = answer.saved ? `Saved as ${answer.saved}`
-          : answer.selected ? `${number.format(answer.selected)} selected` : "";
+        const isNamed = typeof request === "string";
+        if (isNamed ? REMOVALS.includes(request) : "crop" in request) $("clean").value = "0";
+        this.say(answer);
         if (changed) this.frames.settle();
         return true;
       } catch (error) {
-        $("edit-said").textContent = error.message;
+        $("edit-said").textContent = reason(error);
         return false;
       } finally {
         this.overlay.draw();
@@ -68,7 +104,18 @@ export class Edit extends Tool {
     return this.asked;
   }
 
-  // --- floaters: the program looks at one more photograph with each request, and then hides what few of them support
+  /** @param {EditAnswer} answer */
+  say(answer) {
+    this.sayClean(answer.clean);
+    $("left").textContent = `${number.format(answer.left)} left`;
+    $("undo-edit").disabled = !answer.removals;
+    $("remove-selected").disabled = $("clear-selected").disabled = !answer.selected;
+    const selected = answer.selected ? `${number.format(answer.selected)} selected` : "";
+    $("edit-said").textContent = answer.saved ? `Saved as ${answer.saved}` : selected;
+  }
+
+  // --- floaters: the program looks at one more photograph with each request, and then hides what few of them
+  // support
 
   get strength() {
     return Number($("clean").value);
@@ -78,21 +125,24 @@ export class Edit extends Tool {
     if (this.cleaning) return;
     this.cleaning = true;
     for (let asked = this.strength; await this.ask({ clean: asked }); asked = this.strength) {
-      const { seen, views } = this.answer.clean;
+      const { seen, views } = /** @type {EditAnswer} */ (this.answer).clean;
       if (asked === this.strength && (seen === views || !asked)) break;
     }
     this.cleaning = false;
   }
 
+  /** @param {Clean} clean */
   sayClean({ seen, views, hidden, weight }) {
-    const share = (100 * weight).toPrecision(2), many = number.format(hidden);
+    const share = (100 * weight).toPrecision(2);
     $("keep-clean").disabled = !hidden;
-    $("clean-said").textContent = hidden ? `${many} hidden, ${share}% of the photographs: --clean ${this.strength}`
-      : !this.strength ? "" : seen < views ? `Looking at photograph ${seen + 1} of ${views}` : "Nothing to hide";
+    const looking = seen < views ? `Looking at photograph ${seen + 1} of ${views}` : "Nothing to hide";
+    const found = `${number.format(hidden)} hidden, ${share}% of the photographs: --clean ${this.strength}`;
+    $("clean-said").textContent = hidden ? found : this.strength ? looking : "";
   }
 
   // --- the mouse
 
+  /** @param {Pixel} at */
   begin(at) {
     if (this.tool !== "brush") return super.begin(at);
     this.stroke = [at];
@@ -101,7 +151,8 @@ export class Edit extends Tool {
 
   end() {
     const { camera } = this.view;
-    if (this.stroke) this.ask({ paint: { camera, places: this.stroke.slice(0, 1000), radius: this.radius } });
+    const places = this.stroke?.slice(0, 1000);
+    if (places) this.ask({ paint: { camera, places, radius: this.radius } });
     this.stroke = null;
   }
 
@@ -112,33 +163,49 @@ export class Edit extends Tool {
 
   // --- the box: handles in the middle of its faces, and one in its own
 
+  /** @returns {Face[]} */
   handles() {
     if (this.tool !== "box") return [];
-    const middle = scale(add(...this.box), 0.5);
-    const face = ([axis, side]) => ({ axis, side, color: COLORS[axis], place: middle.map((x, i) => (i === axis ? this.box[side][i] : x)) });
-    const faces = [0, 1, 2].flatMap((axis) => [[axis, 0], [axis, 1]]).map(face);
-    return [...faces, { axis: null, color: "#fff", place: middle }];
+    const [low, high] = this.box;
+    const middle = scale(add(low, high), 0.5);
+    const face = (/** @type {number} */ axis, /** @type {number} */ side) => {
+      const place = middle.map((x, i) => (i === axis ? this.box[side][i] : x));
+      return { axis, side, color: COLORS[axis], place };
+    };
+    const faces = [0, 1, 2].flatMap((axis) => [face(axis, 0), face(axis, 1)]);
+    return [...faces, { axis: null, side: 0, color: "#fff", place: middle }];
   }
 
-  // A face goes along its axis.
+  /**
+   * A face goes along its axis.
+   * @param {Pixel} from
+   * @param {Pixel} to
+   */
   drag(from, to) {
-    if (this.stroke) {
-      if (length(sub(to, this.stroke.at(-1)).concat(0)) > this.radius / 4) this.stroke.push(to);
+    const before = this.stroke?.at(-1);
+    if (before) {
+      if (Math.hypot(to[0] - before[0], to[1] - before[1]) > this.radius / 4) this.stroke?.push(to);
       return;
     }
-    const { axis, side, place } = this.handles()[this.held];
+    const { axis, side, place } = this.handles()[this.held ?? 0];
     if (axis == null) {
       const by = this.across(place, from, to);
       this.box = this.box.map((corner) => add(corner, by));
     } else {
       const way = [0, 1, 2].map((other) => Number(other === axis));
-      const moved = place[axis] + this.along(place, way, from, to), other = this.box[1 - side][axis];
+      const moved = place[axis] + this.along(place, way, from, to);
+      const other = this.box[1 - side][axis];
       this.box[side][axis] = side ? Math.max(moved, other) : Math.min(moved, other);
     }
   }
 
   // --- over the image
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {number} unit
+   */
   paint(context, camera, unit) {
     context.fillStyle = css("--path");
     for (const place of this.places) {
@@ -154,19 +221,29 @@ export class Edit extends Tool {
     context.stroke();
     if (!this.at) return;
     context.beginPath();
-    context.arc(...this.at, this.radius, 0, 7);
+    context.arc(this.at[0], this.at[1], this.radius, 0, 7);
     this.overlay.outlined("#fff", 1.5);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {number} unit
+   */
   paintBox(context, camera, unit) {
+    /** @type {(bits: number) => Vector} */
     const corner = (bits) => [0, 1, 2].map((axis) => this.box[(bits >> axis) & 1][axis]);
     context.beginPath();
     for (let bits = 0; bits < 8; bits++) {
-      for (const axis of [0, 1, 2]) if (!((bits >> axis) & 1)) this.overlay.line(camera, corner(bits), corner(bits | (1 << axis)));
+      for (const axis of [0, 1, 2]) {
+        if (!((bits >> axis) & 1)) this.overlay.line(camera, corner(bits), corner(bits | (1 << axis)));
+      }
     }
     this.overlay.outlined(css("--path"), 1.5);
     this.paintHandles(context, camera, unit);
-    const { placement } = this.view.scene, size = length(sub(...this.box)) * placement.scale;
+    const { placement } = this.view.scene;
+    const [low, high] = this.box;
+    const size = length(sub(low, high)) * placement.scale;
     const corners = this.box.flatMap((corner) => toWorld(placement, corner));
     $("box-words").textContent = `--box ${corners.map(digits(size)).join(",")}`;
   }

@@ -1,18 +1,42 @@
-// Asks for images: one at a time while the camera moves, so that the newest camera is next; then a whole one, then the exact one.
+// Asks for images: one at a time while the camera moves, so that the newest camera is next; then a whole one,
+// then the exact one.
+
+import { reason } from "./page.js";
+
+/** @import { FrameAbout, FrameRequest, Quality } from "./protocol" */
+
+/** @typedef {Pick<FrameRequest, "camera" | "mode" | "background" | "view">} Shown What an image shows. */
+/** @typedef {(bitmap: ImageBitmap, about: FrameAbout, blob: Blob, asked: FrameRequest) => void} Show */
 
 const REST = 140; // milliseconds without a movement
 const client = crypto.getRandomValues(new Uint32Array(1))[0];
 
 export class Frames {
-  // `current()` is what to ask for; `show(bitmap, about, bytes)` is called with each image.
+  sequence = 0;
+  /** @type {Quality | null} to ask for next */
+  wanted = null;
+  /** @type {Quality | null} that is asked for now */
+  quality = null;
+  busy = false;
+  /** Whether an image at rest becomes exact. */
+  refines = true;
+  rest = 0;
+  /** @type {number[]} of the images of the last second */
+  times = [];
+  /** @type {AbortController | null} */
+  abort = null;
+  /** Called after each request. */
+  idle = () => {};
+
+  /**
+   * @param {() => Shown} current what to ask for
+   * @param {Show} show is called with each image
+   * @param {(message: string | null) => void} fail is called with each error, and after it is over
+   */
   constructor(current, show, fail) {
-    Object.assign(this, { current, show, fail });
-    this.sequence = 0;
-    this.wanted = null; // the quality to ask for next
-    this.busy = false;
-    this.rest = 0;
-    this.times = [];
-    this.abort = null;
+    this.current = current;
+    this.show = show;
+    this.fail = fail;
   }
 
   // The camera moves, or something else changed that has to be seen at once.
@@ -44,31 +68,47 @@ export class Frames {
     this.wanted = null;
     this.busy = true;
     this.quality = quality;
+    /** @type {FrameRequest} */
     const request = { client, sequence: ++this.sequence, quality, ...this.current() };
     this.abort = new AbortController();
     try {
       const reply = await post("/frame", request, this.abort.signal);
       const blob = await reply.blob();
-      const about = JSON.parse(reply.headers.get("x-organza"));
+      const about = JSON.parse(reply.headers.get("x-organza") ?? "");
       const bitmap = await createImageBitmap(blob);
       this.count(quality);
       this.show(bitmap, about, blob, request);
       this.fail(null);
-      if (quality === "still" && !this.wanted && this.refines !== false) this.wanted = "exact";
+      if (quality === "still" && !this.wanted && this.refines) this.wanted = "exact";
     } catch (error) {
-      if (error.name !== "AbortError" && error.status !== 409) {
-        this.fail(error.message);
+      const status = error instanceof Refusal ? error.status : 0;
+      if (!isAbort(error) && status !== 409) {
+        this.fail(reason(error));
         // the program may be back soon
-        if (!error.status) setTimeout(() => this.settle(), 1500);
+        if (!status) setTimeout(() => this.settle(), 1500);
       }
     }
     this.busy = false;
     this.quality = null;
-    this.idle?.();
+    this.idle();
     this.next();
   }
 
-  // Images of the last second while moving.
+  /** The exact image of what is asked for now; null where the program refuses. */
+  async exact() {
+    try {
+      const request = { client: 0, sequence: Date.now(), quality: "exact", ...this.current() };
+      return await (await post("/frame", request)).blob();
+    } catch (error) {
+      this.fail(reason(error));
+      return null;
+    }
+  }
+
+  /**
+   * Images of the last second while moving.
+   * @param {Quality} quality
+   */
   count(quality) {
     const now = performance.now();
     if (quality !== "moving") return;
@@ -76,23 +116,47 @@ export class Frames {
     this.times = this.times.filter((time) => now - time < 1000);
   }
 
+  /** Images a second; null at rest. */
   get rate() {
-    const [first, last] = [this.times[0], this.times.at(-1)];
-    return this.times.length < 2 || performance.now() - last > 1000 ? null : ((this.times.length - 1) * 1000) / (last - first);
+    const first = this.times[0];
+    const last = this.times[this.times.length - 1];
+    if (this.times.length < 2 || performance.now() - last > 1000) return null;
+    return ((this.times.length - 1) * 1000) / (last - first);
   }
 }
 
-// Sends JSON; throws what the program says where it refuses.
+// The program has refused a request.
+class Refusal extends Error {
+  /**
+   * @param {string} message
+   * @param {number} status of HTTP
+   */
+  constructor(message, status) {
+    super(message);
+    this.status = status;
+  }
+}
+
+/** @param {unknown} error */
+const isAbort = (error) => error instanceof DOMException && error.name === "AbortError";
+
+/**
+ * Sends JSON; throws what the program says where it refuses.
+ * @param {string} path
+ * @param {unknown} value text is sent as it is
+ * @param {AbortSignal} [signal]
+ */
 export async function post(path, value, signal) {
   const body = typeof value === "string" ? value : JSON.stringify(value);
   let reply;
   try {
-    reply = await fetch(path, { method: "POST", headers: { "content-type": "application/json" }, body, signal });
+    const headers = { "content-type": "application/json" };
+    reply = await fetch(path, { method: "POST", headers, body, signal });
   } catch (error) {
-    if (error.name === "AbortError") throw error;
+    if (isAbort(error)) throw error;
     throw new Error("The program does not answer. Is it still running?");
   }
   if (reply.ok) return reply;
   const { error } = await reply.json().catch(() => ({ error: reply.statusText }));
-  throw Object.assign(new Error(error), { status: reply.status });
+  throw new Refusal(error, reply.status);
 }

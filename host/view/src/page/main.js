@@ -1,29 +1,29 @@
-// The page: what is looked at, and what the panel says.
+// The page: what is looked at, and its parts.
 
-import { add, angleOf, eyeOf, farness, forwardOf, hex, length, nearestOf, opacityAt, scale, sub, unproject, withAngle, withSize } from "./camera.js";
+import { add, depthOf, eyeOf, forwardOf, length, scale, sub, unproject, withSize } from "./camera.js";
+import { Cameras } from "./cameras.js";
 import { Controls } from "./controls.js";
 import { Edit } from "./edit.js";
 import { Explain } from "./explain.js";
-import { Frames, post } from "./frames.js";
+import { Frames } from "./frames.js";
 import { Keyframes } from "./keyframes.js";
+import { press } from "./keys.js";
+import { Lens } from "./lens.js";
 import { Measure } from "./measure.js";
+import { Modes } from "./modes.js";
 import { Overlay } from "./overlay.js";
-import { $, download } from "./page.js";
+import { $, brush, download, tell } from "./page.js";
 import { Places } from "./places.js";
+import { Status } from "./status.js";
 import { Training } from "./training.js";
 
-const MODES = {
-  color: ["Color", ""], visibility: ["Visibility", "mean T of a pixel's Gaussians"], weight: ["Weight", "S, the sum of the weights"],
-  depth: ["Depth", "in world units"], normal: ["Normals", "shortest axes, in world space"],
-  gaussians: ["Gaussians", "number in a pixel"], error: ["Error", "difference from the photograph"],
-};
-const HOVER = 150; // milliseconds that the pointer rests
-const SIZES = [[640, 480], [960, 720], [1280, 720], [1920, 1080]];
+/** @import { Shown } from "./frames.js" */
+/** @import { Camera, FrameAbout, FrameRequest, Mode, Pixel, Scene, Vector } from "./protocol" */
 
+/** @type {Scene} */
 const scene = await (await fetch("scene.json")).json();
-const poses = scene.views.map(({ camera }) => camera.camera_to_world);
-let hovering = 0;
-const number = new Intl.NumberFormat("en");
+
+/** @typedef {typeof view} Viewed */
 
 // Everything that the image depends on.
 const view = {
@@ -32,11 +32,13 @@ const view = {
   center: focusOf(scene.home),
   up: scene.up,
   extent: length(sub(scene.aabb[1], scene.aabb[0])) / 2,
-  mode: "color",
-  background: null,
+  mode: /** @type {Mode} */ ("color"),
+  background: /** @type {Vector | null} */ (null),
   // a view of the data set that the camera has not left
-  index: null,
-  bitmap: null,
+  index: /** @type {number | null} */ (null),
+  // where the pointer rests, in the mode of depth
+  depth: /** @type {number | null} */ (null),
+  shown: /** @type {{ about: FrameAbout, blob: Blob, asked: FrameRequest } | null} */ (null),
 
   moved() {
     if (view.index != null) view.leave();
@@ -47,45 +49,77 @@ const view = {
     view.depth = null;
     frames.change();
     overlay.draw();
-    say();
+    status.say();
+  },
+  draw: () => overlay.draw(),
+  fit: () => overlay.fit(),
+  /** @param {number} index of a view of the data set */
+  goTo(index) {
+    const to = scene.views[index];
+    if (!to) return;
+    view.index = index;
+    view.camera = to.camera;
+    view.center = focusOf(view.camera);
+    $("view").value = String(index);
+    explain.close();
+    cameras.compare();
+    lens.place();
+    view.changed();
+  },
+  reset() {
+    view.index = null;
+    $("view").value = "";
+    view.camera = withSize(scene.home, lens.size);
+    view.center = focusOf(scene.home);
+    if (view.mode === "error") setMode("color");
+    cameras.compare();
+    lens.place();
+    explain.close();
+    view.changed();
   },
   // From a camera of the data set to one of the window's size.
   leave() {
     view.index = null;
-    view.camera = withSize(view.camera, size());
-    if (view.mode === "error") setMode("color", true);
+    view.camera = withSize(view.camera, lens.size);
+    if (view.mode === "error") setMode("color");
     $("view").value = "";
-    compare();
+    cameras.compare();
   },
-  click: (pixel) => (measure.isOn ? measure.click(pixel) : explain.ask(pixel.map(Math.floor))),
-  // Orbit around what is behind a pixel: its depth is the depth of the Gaussian with the largest alpha.
+  /** @param {Pixel} pixel */
+  click(pixel) {
+    if (measure.isOn) measure.click(pixel);
+    else explain.ask(pixel.map(Math.floor));
+  },
+  /**
+   * Orbits around what is behind a pixel: its depth is the depth of the Gaussian with the largest alpha.
+   * @param {Pixel} pixel
+   */
   async focus(pixel) {
     const depth = await explain.depth(pixel.map(Math.floor));
     if (depth) view.center = unproject(view.camera, pixel, depth / scene.placement.scale);
     overlay.ping(view.center);
   },
-  // In the mode of depth, the depth where the pointer rests.
-  hover(pixel) {
-    clearTimeout(hovering);
-    view.depth = null;
-    if (view.mode !== "depth") return;
-    hovering = setTimeout(async () => {
-      view.depth = await explain.meanDepth(pixel.map(Math.floor));
-      say();
-    }, HOVER);
-  },
+  /** @param {Pixel} pixel */
+  hover: (pixel) => explain.hover(pixel),
+  say: () => status.say(),
   isHelp: () => $("help").open,
-  key,
+  /** @param {KeyboardEvent} event */
+  key: (event) => press(event, { view, cameras, controls, edit, explain, keyframes, measure, modes, places }),
 };
 
-// The place on the camera's axis that is nearest to the middle of the scene.
+/**
+ * What the camera goes around: the place on its axis that is nearest to the middle of the scene.
+ * @param {Camera} camera
+ */
 function focusOf(camera) {
-  const eye = eyeOf(camera.camera_to_world), forward = forwardOf(camera.camera_to_world);
-  const along = sub(scene.center, eye).reduce((sum, x, i) => sum + x * forward[i], 0);
-  const far = along > 0.05 * length(sub(scene.aabb[1], scene.aabb[0])) ? along : length(sub(scene.center, eye)) || 1;
-  return add(eye, scale(forward, far));
+  const eye = eyeOf(camera.camera_to_world);
+  const along = depthOf(camera, scene.center);
+  const isAhead = along > 0.05 * length(sub(scene.aabb[1], scene.aabb[0]));
+  const far = isAhead ? along : length(sub(scene.center, eye)) || 1;
+  return add(eye, scale(forwardOf(camera.camera_to_world), far));
 }
 
+/** @returns {Shown} */
 function request() {
   const { camera, mode, background, index } = view;
   return { camera, mode, background, view: mode === "error" ? index : null };
@@ -95,260 +129,67 @@ const frames = new Frames(request, show, fail);
 const overlay = new Overlay($("overlay"), view);
 const controls = new Controls($("overlay"), view);
 const explain = new Explain(view, overlay);
-const keyframes = new Keyframes(view, overlay, frames);
+const keyframes = new Keyframes(view, overlay);
 const edit = scene.purpose === "edit" ? new Edit(view, overlay, frames, controls) : null;
 const places = scene.scenes > 1 ? new Places(view, overlay, frames, controls) : null;
 const measure = new Measure(view, overlay, explain, edit);
 const training = scene.purpose === "train" ? new Training(frames) : null;
+const cameras = new Cameras(view);
+const lens = new Lens(view, () => frames.change());
+const status = new Status(view, cameras.poses, frames, training);
+const modes = new Modes(scene, (mode) => {
+  setMode(mode);
+  view.changed();
+});
 frames.refines = !training;
-frames.idle = say;
+frames.idle = () => status.say();
+setInterval(() => status.say(), 500);
 
+/** @param {Mode} mode */
+function setMode(mode) {
+  // an error needs a photograph
+  if (mode === "error" && view.index == null) view.goTo(cameras.nearest);
+  view.mode = mode;
+  modes.show(mode);
+}
+
+/** @type {Frames["show"]} */
 function show(bitmap, about, blob, asked) {
-  const canvas = $("image"), { w, h } = asked.camera;
+  const canvas = $("image");
+  const { w, h } = asked.camera;
   // a smaller image is drawn larger: the canvas keeps the size of the view
   if (canvas.width !== w || canvas.height !== h) Object.assign(canvas, { width: w, height: h });
-  const context = canvas.getContext("2d");
+  const context = brush(canvas);
   context.imageSmoothingQuality = "high";
   context.drawImage(bitmap, 0, 0, w, h);
   bitmap.close();
   view.shown = { about, blob, asked };
   document.documentElement.dataset.quality = about.quality;
-  document.documentElement.dataset.sequence = about.sequence;
-  place();
+  document.documentElement.dataset.sequence = String(about.sequence);
+  lens.place();
   overlay.draw();
-  say();
+  status.say();
 }
 
+/** @param {string | null} message */
 function fail(message) {
   // the panel says that the program has ended
-  const said = training?.state?.ended ? null : message;
-  $("message").hidden = !said;
-  $("message").textContent = said ?? "";
+  tell(training?.ended ? null : message);
 }
 
-// What is shown, how fast, and on what.
-function say() {
-  const about = view.shown?.about;
-  if (!about) return;
-  const [w, h] = about.size, rate = frames.rate;
-  const isBusy = frames.wanted || frames.busy;
-  // a scene that is trained changes before it could be refined
-  const name = training?.state?.ended ? "ended" : about.quality === "moving" ? "moving" : !frames.refines ? "live" : isBusy || about.quality === "still" ? "refining" : "exact";
-  $("quality").textContent = name;
-  $("quality").dataset.is = $("quality").textContent;
-  const far = farness(view.camera, poses, scene.center);
-  $("far").hidden = far <= 1;
-  $("frame").style.background = hex(view.background ?? scene.background);
-  $("image").style.opacity = view.mode === "color" ? opacityAt(far) : 1;
-  // the page draws a small image larger than it is
-  const larger = $("image").clientWidth / w;
-  const facts = [`${w} × ${h}${larger > 1.5 ? `, enlarged ${larger.toFixed(1)} times` : ""}`, `${about.milliseconds.toFixed(0)} ms`];
-  if (view.depth) facts.unshift(`depth ${view.depth.toPrecision(4)}`);
-  if (rate) facts.unshift(`${rate.toFixed(rate < 10 ? 1 : 0)} images/s`);
-  facts.push(`${number.format(about.pairs)} Gaussians in view`);
-  facts.push(about.samples ? `${number.format(about.samples)} samples${about.steps > 1 ? `, steps × ${about.steps}` : ""}${about.renewed < about.pairs ? `, ${Math.round(100 * about.renewed / about.pairs)}% new` : ""}` : "T and colors kept");
-  $("numbers").textContent = facts.join(" · ");
-  $("facts").textContent = `${number.format(about.gaussians)} Gaussians · ${scene.device}`;
-  const range = about.range;
-  $("scale").hidden = !range && about.mode !== "normal";
-  $("ramp").hidden = !range;
-  if (!range) {
-    $("low").textContent = "normals: x is red, y green, z blue";
-    $("high").textContent = "-1 is dark, 1 bright";
-  } else {
-    const digits = (value) => (value >= 100 || Number.isInteger(value) ? value.toFixed(0) : value.toPrecision(2));
-    $("low").textContent = digits(range[0]);
-    $("high").textContent = digits(range[1]);
-    const ramp = scene.modes.find(([mode]) => mode === about.mode)[1];
-    $("ramp").style.background = `linear-gradient(to right, ${ramp.join(", ")})`;
-  }
-  $("angle").value = (angleOf(view.camera) * 180) / Math.PI;
-  $("angle-value").textContent = `${((angleOf(view.camera) * 180) / Math.PI).toFixed(0)}°`;
-}
-setInterval(say, 500);
-
-// --- the panel
-
-$("title").textContent = document.title = scene.title;
-document.title += " · organza";
-
-for (const [at, [mode]] of scene.modes.entries()) {
-  const chip = document.createElement("button");
-  chip.textContent = MODES[mode][0];
-  chip.title = `${MODES[mode][1]} (${at + 1})`.trim();
-  chip.dataset.mode = mode;
-  chip.role = "radio";
-  chip.onclick = () => setMode(mode);
-  if (mode === "error" && !scene.photographs) chip.hidden = true;
-  $("modes").append(chip);
-}
-
-function setMode(mode, quiet) {
-  // an error needs a photograph
-  if (mode === "error" && view.index == null) goTo(nearest());
-  view.mode = mode;
-  for (const chip of $("modes").children) chip.ariaChecked = chip.dataset.mode === mode;
-  if (!quiet) view.changed();
-}
-
-// The data set's camera that is nearest to where the eye is.
-const nearest = () => nearestOf(view.camera, poses, view.extent);
-
-function goTo(index) {
-  if (!scene.views[index]) return;
-  view.index = index;
-  view.camera = scene.views[index].camera;
-  view.center = focusOf(view.camera);
-  $("view").value = index;
-  explain.close();
-  compare();
-  place();
-  view.changed();
-}
-
-if (scene.views.length) {
-  $("views").hidden = false;
-  const held = scene.views.filter((one) => one.held_out).length;
-  $("place").textContent = `${scene.views.length}${held ? `, ${held} held out` : ""}`;
-  $("view").append(new Option("choose a camera", "", true, true));
-  for (const [title, is] of [["Held out", true], ["Training", false]]) {
-    const group = document.createElement("optgroup");
-    group.label = held ? title : "Cameras";
-    for (const [at, one] of scene.views.entries()) if (one.held_out === is) group.append(new Option(one.name, at));
-    if (group.children.length) $("view").append(group);
-  }
-  $("view").onchange = () => $("view").value && goTo(Number($("view").value));
-}
-const beside = (by) => goTo(view.index == null ? nearest() : (view.index + by + scene.views.length) % scene.views.length);
-$("previous").onclick = () => beside(-1);
-$("next").onclick = () => beside(1);
-
-// --- the photograph beside the scene
-
-function compare() {
-  const shown = $("compare").checked && view.index != null && scene.photographs;
-  $("photograph").hidden = $("slider").hidden = !shown;
-  if (shown) {
-    const source = `photograph/${view.index}`;
-    if (!$("photograph").src.endsWith(`/${source}`)) $("photograph").src = source;
-  }
-  slide();
-}
-function slide() {
-  $("frame").style.setProperty("--at", `${$("slider").value}%`);
-}
-$("slider").oninput = slide;
-$("compare").onchange = () => {
-  if ($("compare").checked && view.index == null) goTo(nearest());
-  compare();
-};
-$("compare-label").hidden = !scene.photographs;
-$("points-label").hidden = !scene.points;
-
-// --- overlays
-
-for (const [id, name] of [["show-cameras", "cameras"], ["show-points", "points"]]) {
-  $(id).onchange = async () => {
-    if (name === "points") await overlay.loadPoints();
-    overlay[name] = $(id).checked;
-    overlay.draw();
-  };
-}
-
-// --- the lens
-
-$("angle").oninput = () => {
-  const camera = withAngle(view.camera, ($("angle").value * Math.PI) / 180);
-  if (view.index != null) view.leave();
-  view.camera = withAngle(view.camera, angleOf(camera));
-  view.changed();
-};
-
-$("size").append(new Option("the window's", "window"), new Option("half the window's", "half"));
-for (const [w, h] of SIZES) $("size").append(new Option(`${w} × ${h}`, `${w}x${h}`));
-function size() {
-  const chosen = $("size").value;
-  if (chosen.includes("x")) return chosen.split("x").map(Number);
-  const box = $("stage").getBoundingClientRect(), part = chosen === "half" ? 2 : 1;
-  return [box.width, box.height].map((side) => Math.max(16, Math.min(4096, Math.round(side / part))));
-}
-$("size").onchange = () => resize();
-function resize() {
-  if (view.index == null) {
-    view.camera = withSize(view.camera, size());
-    frames.change();
-  }
-  place();
-  overlay.draw();
-}
-new ResizeObserver(resize).observe($("stage"));
-
-// The frame is as large as the window allows, with the image's shape.
-function place() {
-  const { w, h } = view.camera, box = $("stage").getBoundingClientRect();
-  const factor = Math.min(box.width / w, box.height / h);
-  const style = $("frame").style;
-  style.width = `${w * factor}px`;
-  style.height = `${h * factor}px`;
-  overlay.fit();
-}
-
-$("background").value = hex(scene.background);
-$("background").oninput = () => {
-  view.background = [1, 3, 5].map((at) => parseInt($("background").value.slice(at, at + 2), 16) / 255);
-  view.changed();
-};
-$("background-reset").onclick = () => {
-  view.background = null;
-  $("background").value = hex(scene.background);
-  view.changed();
-};
-
-function reset() {
-  view.index = null;
-  $("view").value = "";
-  view.camera = withSize(scene.home, size());
-  view.center = focusOf(scene.home);
-  if (view.mode === "error") setMode("color", true);
-  compare();
-  place();
-  explain.close();
-  view.changed();
-}
-$("reset").onclick = reset;
-
+$("title").textContent = scene.title;
+document.title = `${scene.title} · organza`;
 $("save-image").onclick = async () => {
-  const shown = view.shown;
-  if (shown?.about.quality === "exact" && !frames.busy) return download(shown.blob, `${scene.title}.png`);
-  try {
-    const reply = await post("/frame", { client: 0, sequence: Date.now(), quality: "exact", ...request() });
-    download(await reply.blob(), `${scene.title}.png`);
-  } catch (error) {
-    fail(error.message);
-  }
+  const { shown } = view;
+  const isExact = shown?.about.quality === "exact" && !frames.busy;
+  const blob = isExact ? shown.blob : await frames.exact();
+  if (blob) download(blob, `${scene.title}.png`);
 };
-
-// --- keys
-
+$("reset").onclick = () => view.reset();
 $("help-button").onclick = () => $("help").showModal();
-function key(event) {
-  const modes = [...$("modes").children].filter((chip) => !chip.hidden);
-  const act = {
-    "?": () => $("help").showModal(), ",": () => beside(-1), ".": () => beside(1), n: () => goTo(nearest()), r: reset,
-    c: () => $("show-cameras").click(), o: () => scene.points && $("show-points").click(),
-    b: () => edit?.choose("box"), g: () => edit?.choose("brush"), z: () => (places ? places.undo() : edit?.ask("undo")), Delete: () => edit?.ask("remove"),
-    m: () => measure.toggle(), k: () => keyframes.add(), p: () => keyframes.toggle(), l: () => { controls.level(); view.moved(); },
-    "[": () => { controls.zoom(0.94); view.moved(); }, "]": () => { controls.zoom(1.06); view.moved(); },
-    Escape: () => { explain.close(); keyframes.stop(); },
-  }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-  if (act) act();
-  else if (modes[event.key - 1]) modes[event.key - 1].click();
-}
 
-setMode("color", true);
-place();
-view.camera = withSize(scene.home, size());
+view.camera = withSize(scene.home, lens.size);
 frames.settle();
-place();
+lens.place();
 document.documentElement.dataset.ready = "";
 Object.assign(window, { organza: { view, frames, keyframes, explain, training, edit, measure, places } });

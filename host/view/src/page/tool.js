@@ -3,21 +3,70 @@
 import { add, dot, project, scale, sub, unproject } from "./camera.js";
 import { $ } from "./page.js";
 
+/** @import { Controls } from "./controls.js" */
+/** @import { Viewed } from "./main.js" */
+/** @import { Overlay } from "./overlay.js" */
+/** @import { Camera, Pixel, Vector } from "./protocol" */
+
+/** @typedef {{ place: Vector, color: string }} Handle */
+
 const NEAR = 12; // CSS pixels from a handle
 
 export class Tool {
+  /** @type {number | null} the index of the handle that is dragged */
+  held = null;
+  /** @type {Pixel | null} where the pointer is */
+  at = null;
+  /** @type {Pixel} where it was */
+  last = [0, 0];
+
+  /**
+   * @param {Viewed} view
+   * @param {Overlay} overlay
+   * @param {Controls} controls
+   */
   constructor(view, overlay, controls) {
-    Object.assign(this, { view, overlay, controls, held: null, at: null });
+    this.view = view;
+    this.overlay = overlay;
+    this.controls = controls;
     overlay.tool = this;
-    const frame = $("frame"), on = (name, handler) => frame.addEventListener(name, handler.bind(this), true);
-    on("pointerdown", this.down);
-    on("pointermove", this.move);
-    on("pointerup", this.up);
-    on("pointercancel", this.up);
+    const frame = $("frame");
+    frame.addEventListener("pointerdown", (event) => this.down(event), true);
+    frame.addEventListener("pointermove", (event) => this.move(event), true);
+    frame.addEventListener("pointerup", (event) => this.up(event), true);
+    frame.addEventListener("pointercancel", (event) => this.up(event), true);
   }
 
+  /**
+   * The handles, in their order.
+   * @returns {Handle[]}
+   */
+  handles() {
+    return [];
+  }
+
+  /**
+   * A handle goes with the pointer.
+   * @param {Pixel} _from
+   * @param {Pixel} _to
+   */
+  drag(_from, _to) {}
+
+  /** The drag is over. */
+  end() {}
+
+  /**
+   * Draws over the image. `unit` is a CSS pixel.
+   * @param {CanvasRenderingContext2D} _context
+   * @param {Camera} _camera
+   * @param {number} _unit
+   */
+  paint(_context, _camera, _unit) {}
+
+  /** @param {PointerEvent} event */
   down(event) {
-    if (event.target.id !== "overlay" || event.button !== 0 || event.shiftKey || event.altKey || event.ctrlKey) return;
+    const isForCamera = event.button !== 0 || event.shiftKey || event.altKey || event.ctrlKey;
+    if (event.target !== $("overlay") || isForCamera) return;
     this.last = this.controls.pixel(event);
     this.held = this.begin(this.last);
     if (this.held == null) return;
@@ -25,8 +74,9 @@ export class Tool {
     event.stopPropagation();
   }
 
+  /** @param {PointerEvent} event */
   move(event) {
-    if (event.target.id !== "overlay") return;
+    if (event.target !== $("overlay")) return;
     this.at = this.controls.pixel(event);
     this.overlay.draw();
     if (this.held == null) return;
@@ -35,38 +85,63 @@ export class Tool {
     this.last = this.at;
   }
 
+  /** @param {PointerEvent} event */
   up(event) {
     if (this.held == null) return;
     event.stopPropagation();
     this.held = null;
-    this.end?.();
+    this.end();
   }
 
-  // The index of the handle under the pointer.
+  /**
+   * The index of the handle under the pointer.
+   * @param {Pixel} at
+   */
   begin(at) {
-    const away = ({ place }) => {
+    const away = (/** @type {Handle} */ { place }) => {
       const [x, y, depth] = project(this.view.camera, place);
       return depth > 0 ? Math.hypot(x - at[0], y - at[1]) : Infinity;
     };
-    const [first] = this.handles().map((handle, index) => [away(handle), index]).sort(([a], [b]) => a - b);
-    return first?.[0] <= NEAR * this.overlay.unit ? first[1] : null;
+    const all = this.handles().map((handle, index) => [away(handle), index]);
+    const [first] = all.sort(([a], [b]) => a - b);
+    return first && first[0] <= NEAR * this.overlay.unit ? first[1] : null;
   }
 
-  // How a place goes with the pointer, in the view plane.
+  /**
+   * How a place goes with the pointer, in the view plane.
+   * @param {Vector} place
+   * @param {Pixel} from
+   * @param {Pixel} to
+   */
   across(place, from, to) {
-    const { camera } = this.view, [, , depth] = project(camera, place);
+    const { camera } = this.view;
+    const [, , depth] = project(camera, place);
     return sub(unproject(camera, to, depth), unproject(camera, from, depth));
   }
 
-  // How far it goes with the pointer along a direction of length 1, as seen on the screen.
+  /**
+   * How far it goes with the pointer along a direction of length 1, as seen on the screen.
+   * @param {Vector} place
+   * @param {Vector} way
+   * @param {Pixel} from
+   * @param {Pixel} to
+   */
   along(place, way, from, to) {
-    const { camera } = this.view, [x, y, depth] = project(camera, place), unit = depth / camera.fl_y; // about a pixel
+    const { camera } = this.view;
+    const [x, y, depth] = project(camera, place);
+    const unit = depth / camera.fl_y; // about a pixel
     const [u, v] = project(camera, add(place, scale(way, unit)));
-    const seen = [u - x, v - y, 0], square = dot(seen, seen);
+    const seen = [u - x, v - y, 0];
+    const square = dot(seen, seen);
     // the direction may point to the eye
     return square < 1e-4 ? 0 : (dot(sub([...to, 0], [...from, 0]), seen) / square) * unit;
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {number} unit
+   */
   paintHandles(context, camera, unit) {
     for (const { place, color } of this.handles()) {
       const [x, y, depth] = project(camera, place);

@@ -5,12 +5,15 @@ use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, PreEscaped, html};
 
 /// The modules. Each comes after those that it imports.
-const SCRIPTS: [&str; 6] = [
+const SCRIPTS: [&str; 9] = [
     include_str!("../page/camera.js"),
     include_str!("../page/controls.js"),
+    include_str!("page/page.js"),
+    include_str!("page/pace.js"),
     include_str!("page/player.js"),
     include_str!("page/screen.js"),
-    include_str!("page/pace.js"),
+    include_str!("page/turn.js"),
+    include_str!("page/viewer.js"),
     include_str!("page/main.js"),
 ];
 const STYLE: &str = concat!(include_str!("../page/page.css"), include_str!("page/page.css"));

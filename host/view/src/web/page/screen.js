@@ -2,6 +2,9 @@
 
 import { columnsOf } from "./player.js";
 
+/** @import { Camera } from "../../page/protocol" */
+/** @import { Frame } from "./player.js" */
+
 const SHADER = `
 struct View { side: u32, columns: u32, size: vec2u, canvas: vec2f }
 @group(0) @binding(0) var<uniform> view: View;
@@ -29,30 +32,44 @@ fn color(at: vec2i) -> vec3f {
 }`;
 
 export class Screen {
+  /**
+   * @param {GPUDevice} device
+   * @param {HTMLCanvasElement} canvas
+   */
   constructor(device, canvas) {
-    const format = navigator.gpu.getPreferredCanvasFormat(), context = canvas.getContext("webgpu");
-    context.configure({ device, format, alphaMode: "opaque" });
+    this.device = device;
+    this.canvas = canvas;
+    const format = navigator.gpu.getPreferredCanvasFormat();
+    this.context = /** @type {GPUCanvasContext} */ (canvas.getContext("webgpu"));
+    this.context.configure({ device, format, alphaMode: "opaque" });
     const module = device.createShaderModule({ label: "screen", code: SHADER });
-    const pipeline = device.createRenderPipeline({
-      label: "screen", layout: "auto", vertex: { module }, fragment: { module, targets: [{ format }] }, primitive: { topology: "triangle-list" },
+    this.pipeline = device.createRenderPipeline({
+      label: "screen", layout: "auto", vertex: { module }, fragment: { module, targets: [{ format }] },
+      primitive: { topology: "triangle-list" },
     });
-    const view = device.createBuffer({ size: 32, usage: GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST });
-    Object.assign(this, { device, canvas, context, pipeline, view });
+    const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
+    this.view = device.createBuffer({ size: 32, usage });
   }
 
-  // Shows what a frame has rendered of a camera.
+  /**
+   * Shows what a frame has rendered of a camera.
+   * @param {Frame} frame
+   * @param {Camera} camera
+   */
   show(frame, camera) {
-    const { device, canvas } = this, { side } = frame.plan, values = new ArrayBuffer(32);
+    const { device, canvas } = this;
+    const { side } = frame.plan;
+    const values = new ArrayBuffer(32);
     new Uint32Array(values).set([side, columnsOf(camera, side), camera.w, camera.h]);
     new Float32Array(values).set([canvas.width, canvas.height], 4);
     device.queue.writeBuffer(this.view, 0, values);
     const group = device.createBindGroup({
       layout: this.pipeline.getBindGroupLayout(0),
-      entries: [{ binding: 0, resource: { buffer: this.view } }, { binding: 1, resource: { buffer: frame.image } }],
+      entries: [this.view, frame.image].map((buffer, binding) => ({ binding, resource: { buffer } })),
     });
     const encoder = device.createCommandEncoder();
-    const target = { view: this.context.getCurrentTexture().createView(), loadOp: "clear", storeOp: "store" };
-    const pass = encoder.beginRenderPass({ colorAttachments: [target] });
+    const view = this.context.getCurrentTexture().createView();
+    const pass = encoder.beginRenderPass({ colorAttachments: [{ view, loadOp: "clear", storeOp: "store" }] });
     pass.setPipeline(this.pipeline);
     pass.setBindGroup(0, group);
     pass.draw(3);

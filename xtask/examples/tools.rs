@@ -4,5 +4,4 @@ muslin_build::xtask!(
     organza_shaders in "shader-crate",
     sources: ["kit/kernel", "kit/macros", "shader-crate"].map(String::from).into(),
     kernels: "host/render/kernels".into(),
-    wgsl: true,
 );

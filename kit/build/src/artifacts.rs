@@ -52,18 +52,13 @@ fn is_module(name: &str) -> bool {
     name.ends_with(".spv")
 }
 
-/// Whether this program writes files of this name, besides the manifest.
-fn is_ours(name: &str) -> bool {
-    is_module(name) || name.ends_with(".wgsl")
-}
-
-/// The modules and translations in a folder that do not belong to any kernel anymore.
+/// The modules in a folder that do not belong to any kernel anymore.
 fn stale(artifacts: &Artifacts, folder: &Path) -> Result<Vec<String>> {
     let mut stale = Vec::new();
     // A folder that does not exist yet is empty.
     for entry in fs::read_dir(folder).into_iter().flatten() {
         let name = entry?.file_name().to_string_lossy().into_owned();
-        if is_ours(&name) && !artifacts.0.contains_key(&name) {
+        if is_module(&name) && !artifacts.0.contains_key(&name) {
             stale.push(name);
         }
     }
@@ -100,8 +95,8 @@ mod tests {
     #[test]
     fn writing_replaces_changed_files_and_removes_stale_ones() {
         let folder = tempfile::tempdir().unwrap();
-        let old = artifacts(&[("a.spv", b"1"), ("b.spv", b"2"), ("b.wgsl", b"3")]);
-        assert_eq!(old.write(folder.path()).unwrap(), 4);
+        let old = artifacts(&[("a.spv", b"1"), ("b.spv", b"2")]);
+        assert_eq!(old.write(folder.path()).unwrap(), 3);
         assert_eq!(old.write(folder.path()).unwrap(), 0);
         let new = artifacts(&[("a.spv", b"1"), ("c.spv", b"3")]);
         assert_eq!(new.write(folder.path()).unwrap(), 3);

@@ -14,7 +14,7 @@ use anyhow::{Context, Result, bail};
 use cargo_gpu_install::install::Install;
 use muslin_kernel::{EntryPoint, KernelInfo};
 use muslin_manifest as manifest;
-use muslin_manifest::{Interface, KernelEntry, Manifest, Translation};
+use muslin_manifest::{Interface, KernelEntry, Manifest};
 use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
 
 /// Variable that names the compiler: a rustup toolchain, a sysroot, or [`PINNED`].
@@ -231,14 +231,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
         let spirv = lower(&spirv, kernel.fused, kernel.workgroup_size).with_context(context)?;
         module::check(kernel, &point, &spirv).with_context(context)?;
         validate::check(&spirv).with_context(context)?;
-        let wgsl = match project.wgsl && point.name == kernel.name {
-            true => Some(validate::to_wgsl(&spirv).with_context(context)?),
-            false => None,
-        };
-        let entry = entry(kernel, &point, &spirv, wgsl.as_deref())?;
-        if let (Some(translation), Some(text)) = (&entry.wgsl, wgsl) {
-            files.insert(translation.file.clone(), text.into_bytes());
-        }
+        let entry = entry(kernel, &point, &spirv);
         files.insert(entry.spirv.clone(), spirv);
         entries.push(entry);
     }
@@ -342,24 +335,14 @@ fn build_here(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String,
     Ok(paths.into_iter().collect())
 }
 
-fn entry(
-    kernel: &KernelInfo,
-    point: &EntryPoint,
-    spirv: &[u8],
-    wgsl: Option<&str>,
-) -> Result<KernelEntry> {
-    let translation = |text: &str| Translation {
-        file: format!("{}.wgsl", point.name),
-        sha256: manifest::sha256(text.as_bytes()),
-    };
-    Ok(KernelEntry {
+fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> KernelEntry {
+    KernelEntry {
         name: point.name.to_owned(),
         package: kernel.package.to_owned(),
         file: kernel.source(),
         spirv: format!("{}.spv", point.name),
         spirv_bytes: spirv.len() as u64,
         spirv_sha256: manifest::sha256(spirv),
-        wgsl: wgsl.map(translation),
         interface: Interface::new(kernel, point),
-    })
+    }
 }

@@ -39,9 +39,6 @@ pub struct Project {
     pub sources: Vec<String>,
     /// The folder of the modules and their manifest, relative to the workspace.
     pub kernels: String,
-    /// Whether to translate the kernels to WGSL, too, for browsers. Variants are left out, because browsers refuse their
-    /// barriers.
-    pub wgsl: bool,
     /// Cargo's target folder.
     pub target: PathBuf,
 }
@@ -62,7 +59,6 @@ impl Project {
             shader_crate: shader_crate.into(),
             sources: vec![shader_crate.into()],
             kernels: "compiled".into(),
-            wgsl: false,
             // Joining an absolute path returns that path.
             target: root.join(target),
             root,

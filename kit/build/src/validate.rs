@@ -1,8 +1,7 @@
-//! Checks modules as naga reads them. Translates them to WGSL.
+//! Checks modules as naga reads them.
 
 use anyhow::{Result, bail};
 use naga::Module;
-use naga::back::wgsl::{WriterFlags, write_string};
 use naga::front::spv;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
@@ -45,25 +44,3 @@ const CAUSES: [(&str, &str); 2] = [
         "a function takes a pointer that not every GPU has; make it `#[inline(always)]`",
     ),
 ];
-
-/// Translates a module to WGSL.
-pub fn to_wgsl(spirv: &[u8]) -> Result<String> {
-    // The largest f32 as naga writes it. In decimal it is rounded up, so browsers refuse it
-    // (https://github.com/gfx-rs/wgpu/issues/10106).
-    const LARGEST: &str = "340282350000000000000000000000000000000f";
-    const LARGEST_IN_HEX: &str = "0x1.fffffep+127f";
-    let module = read(spirv)?;
-    let validate = |offered| {
-        Validator::new(ValidationFlags::all(), offered).validate(&module).map_err(Box::new)
-    };
-    // browsers want to be told of subgroups, and naga does not tell them
-    let (info, head) = match validate(Capabilities::empty()) {
-        Ok(info) => (info, ""),
-        Err(error) => match validate(Capabilities::SUBGROUP) {
-            Ok(info) => (info, "enable subgroups;\n\n"),
-            Err(_) => bail!("the module is not for browsers: {:?}", error.into_inner()),
-        },
-    };
-    let text = write_string(&module, &info, WriterFlags::empty())?;
-    Ok(head.to_owned() + &text.replace(LARGEST, LARGEST_IN_HEX))
-}

@@ -13,8 +13,8 @@ use crate::{Error, Result};
 #[repr(C, align(4))]
 pub struct Aligned<T: ?Sized>(pub T);
 
-/// Name of an entry point, its module, and the module in WGSL.
-type Module = (&'static str, &'static Aligned<[u8]>, Option<&'static str>);
+/// Name of an entry point, and its module.
+type Module = (&'static str, &'static Aligned<[u8]>);
 
 /// The compiled kernels of a program, by entry point; [`modules`](crate::modules!) embeds them.
 #[derive(Debug)]
@@ -35,7 +35,7 @@ macro_rules! modules {
     () => {
         $crate::Modules::new(include_str!(concat!(env!("OUT_DIR"), "/manifest.json")), {
             use $crate::Aligned;
-            static TABLE: &[(&str, &Aligned<[u8]>, Option<&str>)] =
+            static TABLE: &[(&str, &Aligned<[u8]>)] =
                 &include!(concat!(env!("OUT_DIR"), "/kernels.rs"));
             TABLE
         })
@@ -47,7 +47,6 @@ macro_rules! modules {
 pub struct CompiledKernel {
     entry: &'static KernelEntry,
     spirv: &'static [u8],
-    wgsl: Option<&'static str>,
 }
 
 impl CompiledKernel {
@@ -61,12 +60,6 @@ impl CompiledKernel {
     #[must_use]
     pub fn spirv(&self) -> &'static [u8] {
         self.spirv
-    }
-
-    /// The module in WGSL, if it exists.
-    #[must_use]
-    pub fn wgsl(&self) -> Option<&'static str> {
-        self.wgsl
     }
 
     /// The module as SPIR-V words.
@@ -110,9 +103,9 @@ impl Modules {
         self.table.iter().map(|module| self.compiled(module))
     }
 
-    fn compiled(&'static self, (name, spirv, wgsl): &'static Module) -> CompiledKernel {
+    fn compiled(&'static self, (name, spirv): &'static Module) -> CompiledKernel {
         let entry = self.manifest().find(name).expect("the manifest names what is embedded");
-        CompiledKernel { entry, spirv: &spirv.0, wgsl: *wgsl }
+        CompiledKernel { entry, spirv: &spirv.0 }
     }
 
     /// The compiled kernel named `name`.

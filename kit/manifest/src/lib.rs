@@ -94,21 +94,9 @@ pub struct KernelEntry {
     pub spirv_bytes: u64,
     /// SHA-256 of the module, in lower-case hexadecimal.
     pub spirv_sha256: String,
-    /// The module in WGSL, for browsers; `None` if the project has none, and of a variant.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub wgsl: Option<Translation>,
     /// The interface between the kernel and the host.
     #[serde(flatten)]
     pub interface: Interface,
-}
-
-/// A module in another language.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Translation {
-    /// Name of the file, in the manifest's folder.
-    pub file: String,
-    /// SHA-256 of the file, in lower-case hexadecimal.
-    pub sha256: String,
 }
 
 /// The interface between a kernel and the host that dispatches it.
@@ -258,7 +246,6 @@ mod tests {
             spirv: format!("{name}.spv"),
             spirv_bytes: 4,
             spirv_sha256: sha256(b"test"),
-            wgsl: None,
             interface: Interface {
                 workgroup_size: [64, 1, 1],
                 each: 1,

@@ -139,19 +139,14 @@ pub fn embed_compiled() {
     embed(&folder.join("compiled"), &folder);
 }
 
-/// Rust source: an array of the existing modules, each with its kernel's name, and in WGSL if that exists.
+/// Rust source: an array of the existing modules, each with its kernel's name.
 fn table(kernels: &Path, manifest: &Manifest) -> String {
     let mut table = String::from("[\n");
     for kernel in &manifest.kernels {
         let path = kernels.join(&kernel.spirv);
         if path.is_file() {
             let name = &kernel.name;
-            let wgsl = kernel.wgsl.as_ref().map(|wgsl| kernels.join(&wgsl.file));
-            let wgsl = match wgsl.filter(|path| path.is_file()) {
-                Some(path) => format!("Some(include_str!({path:?}))"),
-                None => "None".to_owned(),
-            };
-            writeln!(table, "    ({name:?}, &Aligned(*include_bytes!({path:?})), {wgsl}),")
+            writeln!(table, "    ({name:?}, &Aligned(*include_bytes!({path:?}))),")
                 .expect("a string can be written to");
         }
     }

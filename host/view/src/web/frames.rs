@@ -145,10 +145,7 @@ pub fn kernels_of(frames: &[Value]) -> Result<Vec<Value>> {
     let names: BTreeSet<_> = names.chain(["count_fill"]).collect();
     let kernel = |info: &'static KernelInfo| {
         let compiled = MODULES.compiled_kernel(info, &info.plain())?;
-        let Some(code) = compiled.wgsl() else {
-            let reason = format!("`{}` is not there in WGSL", info.name);
-            return Err(muslin_device::Error::StaleKernels { reason }.into());
-        };
+        let code = compiled.to_wgsl()?;
         let access = info.bindings.iter().map(|binding| binding.access.as_str());
         let access: Vec<_> = access.collect();
         Ok(json!({ "name": info.name, "access": access, "code": code }))

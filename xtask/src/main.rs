@@ -26,6 +26,7 @@ fn main() -> ExitCode {
             Err("usage: `cargo xtask new FOLDER`: it must be new or empty".into())
         }
         [task, rest @ ..] if task == "kit" => tools("kit", rest),
+        [task, rest @ ..] if task == "everyday" => tools("everyday", rest),
         _ => tools("tools", &arguments),
     };
     match result {

@@ -1,7 +1,7 @@
 //! Runs one kernel on one device, with given contents of its bindings.
 
 use bytemuck::Pod;
-use glam::Vec4;
+use glam::{IVec2, IVec4, UVec2, UVec4, Vec2, Vec4};
 use muslin_kernel::given::Given;
 use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, Items, Storage};
 
@@ -201,9 +201,22 @@ impl Canary for i32 {
     const OTHER_CANARY: Self = u32::OTHER_CANARY.cast_signed();
 }
 
-impl Canary for Vec4 {
-    const CANARY: Self = Self::splat(f32::CANARY);
-    const OTHER_CANARY: Self = Self::splat(f32::OTHER_CANARY);
+macro_rules! vectors {
+    ($($vector:ty: $element:ty;)*) => {$(
+        impl Canary for $vector {
+            const CANARY: Self = Self::splat(<$element>::CANARY);
+            const OTHER_CANARY: Self = Self::splat(<$element>::OTHER_CANARY);
+        }
+    )*};
+}
+
+vectors! {
+    Vec2: f32;
+    Vec4: f32;
+    UVec2: u32;
+    UVec4: u32;
+    IVec2: i32;
+    IVec4: i32;
 }
 
 /// An output of `len` elements for [`KernelRunner::run`](crate::KernelRunner::run), which no kernel has written. If the kernel reads an element before it

@@ -1,0 +1,234 @@
+//! What the subjects take, beside ordinary Rust with rayon: `cargo test --release -p muslin-everyday --test times -- --ignored --nocapture`.
+
+use std::time::Instant;
+
+use muslin_check::{devices, inputs::Random};
+use muslin_device::{Device, Result};
+use muslin_everyday::*;
+use muslin_everyday_kernels::blur::GridParams;
+use muslin_everyday_kernels::matrix::ProductParams;
+use muslin_everyday_kernels::random::{pcg, unit};
+use muslin_everyday_kernels::transpose::TransposeParams;
+use rayon::prelude::*;
+
+/// Values of most subjects.
+const COUNT: usize = 1 << 22;
+/// Rows and columns of matrices, and of pictures.
+const SIDE: u32 = 512;
+const WIDE: u32 = 2048;
+
+/// Milliseconds of the fastest of seven runs.
+fn best(mut run: impl FnMut()) -> f64 {
+    let time = |_| {
+        let begin = Instant::now();
+        run();
+        begin.elapsed().as_secs_f64() * 1e3
+    };
+    (0..7).map(time).fold(f64::INFINITY, f64::min)
+}
+
+/// A subject: its name, ordinary Rust, and its run on a device, which has the inputs.
+struct Subject {
+    name: &'static str,
+    rust: Box<dyn Fn()>,
+    device: Box<dyn Fn(&Device) -> Result<Box<dyn Fn() -> Result<()> + '_>>>,
+}
+
+fn subjects() -> Vec<Subject> {
+    let values = Random::new(1).values(COUNT, 0.0, 1.0);
+    let mut random = Random::new(2);
+    let words: Vec<u32> = (0..COUNT).map(|_| random.bits() % 200).collect();
+    let keys: Vec<u32> = (0..COUNT / 4).map(|_| random.bits()).collect();
+    let bytes: Vec<u8> = words.iter().map(|word| *word as u8).collect();
+    let matrix = Random::new(3).values((SIDE * SIDE) as usize, -1.0, 1.0);
+    let picture = Random::new(4).values((WIDE * WIDE) as usize, 0.0, 1.0);
+    let mut all = Vec::new();
+    let given = values.clone();
+    let own = values.clone();
+    all.push(Subject {
+        name: "sum of 2^22",
+        rust: Box::new(move || drop(std::hint::black_box(own.par_iter().sum::<f32>()))),
+        device: Box::new(move |device| {
+            let values = device.upload("values", &given)?;
+            Ok(Box::new(move || sum::sum(device, &values).map(drop)))
+        }),
+    });
+    for (name, of) in [
+        ("prefix sum of 2^22, in passes", prefix_sum::in_passes as fn(&_, &_) -> _),
+        ("prefix sum of 2^22, looking back", prefix_sum::look_back),
+    ] {
+        let own = words.clone();
+        let given = words.clone();
+        all.push(Subject {
+            name,
+            rust: Box::new(move || drop(std::hint::black_box(prefix(&own)))),
+            device: Box::new(move |device| {
+                let values = device.upload("values", &given)?;
+                Ok(Box::new(move || of(device, &values).and_then(|all| done(device, &all))))
+            }),
+        });
+    }
+    let own = keys.clone();
+    all.push(Subject {
+        name: "radix sort of 2^20 pairs",
+        rust: Box::new(move || {
+            let mut pairs: Vec<_> = own.iter().copied().zip(0_u32..).collect();
+            pairs.par_sort_by_key(|(key, _)| *key);
+            std::hint::black_box(pairs);
+        }),
+        device: Box::new(move |device| {
+            let values: Vec<_> = (0..keys.len() as u32).collect();
+            let keys = device.upload("keys", &keys)?;
+            let values = device.upload("values", &values)?;
+            Ok(Box::new(move || {
+                let (sorted, _) = radix_sort::radix_sort(device, &keys, &values)?;
+                done(device, &sorted)
+            }))
+        }),
+    });
+    let own = bytes.clone();
+    all.push(Subject {
+        name: "histogram of 2^22",
+        rust: Box::new(move || {
+            let count = |mut bins: Vec<u32>, value: &u8| {
+                bins[usize::from(*value)] += 1;
+                bins
+            };
+            let add = |a: Vec<u32>, b: Vec<u32>| a.iter().zip(&b).map(|(a, b)| a + b).collect();
+            let bins = own.par_iter().fold(|| vec![0; 256], count).reduce(|| vec![0; 256], add);
+            std::hint::black_box(bins);
+        }),
+        device: Box::new(move |device| {
+            let values = device.upload("values", &bytes)?;
+            Ok(Box::new(move || histogram::histogram(device, &values).map(drop)))
+        }),
+    });
+    let own = matrix.clone();
+    all.push(Subject {
+        name: "product of 512 x 512",
+        rust: Box::new(move || drop(std::hint::black_box(product(&own, &own)))),
+        device: Box::new(move |device| {
+            let matrix = device.upload("matrix", &matrix)?;
+            let params = ProductParams { rows: SIDE, inner: SIDE, columns: SIDE };
+            Ok(Box::new(move || done(device, &matrix::product(device, params, &matrix, &matrix)?)))
+        }),
+    });
+    let own = picture.clone();
+    let given = picture.clone();
+    all.push(Subject {
+        name: "blur 5 x 5 of 2048 x 2048",
+        rust: Box::new(move || drop(std::hint::black_box(blurred(&own)))),
+        device: Box::new(move |device| {
+            let input = device.upload("picture", &given)?;
+            let params = GridParams { width: WIDE, height: WIDE, rate: 0.0 };
+            Ok(Box::new(move || done(device, &blur::blur(device, params, &input)?)))
+        }),
+    });
+    let own: Vec<u32> = picture.iter().map(|value| value.to_bits()).collect();
+    let given = own.clone();
+    all.push(Subject {
+        name: "transpose of 2048 x 2048",
+        rust: Box::new(move || {
+            let side = WIDE as usize;
+            let row = |x: usize| (0..side).map(|y| own[y * side + x]).collect::<Vec<_>>();
+            std::hint::black_box((0..side).into_par_iter().flat_map_iter(row).collect::<Vec<_>>());
+        }),
+        device: Box::new(move |device| {
+            let input = device.upload("matrix", &given)?;
+            let params = TransposeParams { rows: WIDE, columns: WIDE };
+            Ok(Box::new(move || done(device, &transpose::transpose(device, params, &input)?)))
+        }),
+    });
+    let own = values.clone();
+    all.push(Subject {
+        name: "compaction of 2^22",
+        rust: Box::new(move || {
+            let kept = own.par_iter().copied().filter(|value| *value >= 0.5);
+            std::hint::black_box(kept.collect::<Vec<_>>());
+        }),
+        device: Box::new(move |device| {
+            let values = device.upload("values", &values)?;
+            Ok(Box::new(move || compact::compact(device, &values, 0.5).map(drop)))
+        }),
+    });
+    all.push(Subject {
+        name: "random numbers, PCG, 2^22",
+        rust: Box::new(|| {
+            let seed = pcg(1);
+            let numbers = (0..COUNT as u32).into_par_iter().map(|index| unit(pcg(index ^ seed)));
+            std::hint::black_box(numbers.collect::<Vec<_>>());
+        }),
+        device: Box::new(|device| {
+            Ok(Box::new(move || done(device, &random::pcg(device, COUNT as u32, 1)?)))
+        }),
+    });
+    all
+}
+
+/// Waits for a result, and reads a value.
+fn done<T: bytemuck::Pod>(device: &Device, buffer: &muslin_device::Buffer<T>) -> Result<()> {
+    device.read_range(buffer, 0, 1).map(drop)
+}
+
+/// Exclusive prefix sums, in two passes over parts.
+fn prefix(values: &[u32]) -> Vec<u32> {
+    const PART: usize = 1 << 16;
+    let sums: Vec<u32> = values.par_chunks(PART).map(|part| part.iter().sum()).collect();
+    let next = |sum: &mut u32, value: &u32| {
+        let before = *sum;
+        *sum += value;
+        Some(before)
+    };
+    let before: Vec<_> = sums.iter().scan(0, next).collect();
+    let of = |(part, begin): (&[u32], &u32)| part.iter().scan(*begin, next).collect::<Vec<_>>();
+    values.par_chunks(PART).zip(&before).flat_map_iter(of).collect()
+}
+
+/// The product of two square matrices, row by row.
+fn product(left: &[f32], right: &[f32]) -> Vec<f32> {
+    let side = SIDE as usize;
+    let row = |left: &[f32]| {
+        let mut sums = vec![0.0; side];
+        for (a, right) in left.iter().zip(right.chunks(side)) {
+            sums.iter_mut().zip(right).for_each(|(sum, b)| *sum += a * b);
+        }
+        sums
+    };
+    left.par_chunks(side).flat_map_iter(row).collect()
+}
+
+/// The mean of 5 x 5 pixels.
+fn blurred(input: &[f32]) -> Vec<f32> {
+    let side = WIDE as usize;
+    let last = side as i64 - 1;
+    let row = |y: usize| {
+        (0..side).map(move |x| {
+            let mut sum = 0.0;
+            for dy in -2..=2 {
+                let row = (y as i64 + dy).clamp(0, last) as usize * side;
+                for dx in -2..=2 {
+                    sum += input[row + (x as i64 + dx).clamp(0, last) as usize];
+                }
+            }
+            sum / 25.0
+        })
+    };
+    (0..side).into_par_iter().flat_map_iter(row).collect()
+}
+
+#[test]
+#[ignore = "it measures"]
+fn times() {
+    let devices = devices::all(&MODULES);
+    let names = devices.iter().map(|(name, _)| format!(" {name} |"));
+    println!("| milliseconds | Rust with rayon |{} ", names.collect::<String>());
+    for Subject { name, rust, device } in subjects() {
+        let mut line = format!("| {name} | {:.1} |", best(&*rust));
+        for (_, of) in &devices {
+            let run = device(of).expect("the inputs");
+            let time = best(|| run().expect("it runs"));
+            line += &format!(" {time:.1} |");
+        }
+        println!("{line}");
+    }
+}

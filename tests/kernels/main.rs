@@ -1,10 +1,8 @@
 //! Each kernel alone: on every device, compared with the CPU and with the equations, in its compiled and in its
 //! declared form.
 
-mod buffers;
 mod compiled;
 mod kernel_rules;
 mod large;
 mod parity;
-mod timings;
 mod variants;

@@ -13,14 +13,15 @@ fn every_kernel_is_right_on_every_device() {
     assert_parity(&cases(), &MODULES);
 }
 
-/// The plain, the checked and the thorough CPU, and the GPU both ways. The thorough one has no additional workgroup, which would take a
-/// ticket of [`prefix_sum::look_back`].
+/// The plain, the checked and the thorough CPU, and the GPU both ways. None runs an additional workgroup, which would take a ticket of
+/// [`prefix_sum::look_back`].
 fn all() -> Vec<(&'static str, Device)> {
-    let thorough = DeviceOptions::thorough(7).extra_workgroup(false);
-    let mut all = devices::all(&MODULES);
-    all.push(("checked", devices::checked()));
-    all.push(("thorough", Device::open(&thorough, Modules::none()).expect("the CPU")));
-    all
+    let more = [("checked", DeviceOptions::checked()), ("thorough", DeviceOptions::thorough(7))];
+    let more = more.map(|(name, options)| {
+        let options = options.extra_workgroup(false);
+        (name, Device::open(&options, Modules::none()).expect("the CPU"))
+    });
+    devices::all(&MODULES).into_iter().chain(more).collect()
 }
 
 /// Numbers of values.

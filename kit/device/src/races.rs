@@ -321,7 +321,7 @@ impl AccessMonitor for Races<'_> {
         let (does, slot, mark) = match touch {
             Touch::Read => ("reads", &touched.reader, own),
             Touch::Write => ("writes", &touched.writer, own),
-            Touch::Atomic => ("atomically changes", &touched.atomic, own),
+            Touch::Atomic | Touch::Store => ("atomically changes", &touched.atomic, own),
             Touch::Serial => ("adds, for its z alone, to", &touched.atomic, own | SERIAL),
         };
         let before = self.leave(slot, mark);
@@ -341,7 +341,7 @@ impl AccessMonitor for Races<'_> {
                 return Err(self.conflict(&element, does, [own, found], did));
             }
         }
-        if touch != Touch::Write && !self.is_written(index) {
+        if !matches!(touch, Touch::Write | Touch::Store) && !self.is_written(index) {
             return Err(unwritten(does, index, name));
         }
         if is_atomic && place.is_additional {

@@ -1,13 +1,20 @@
-//! Integer atomics, on storage buffers and workgroup memory of `u32`. All return the old value.
+//! Integer atomics, on storage buffers and workgroup memory of `u32` and `i32`. All return the old value.
 //!
 //! | method of `Write` and `Shared` | new value of the element | |
 //! | --- | --- | --- |
 //! | `atomic_add(index, value)` | the sum, modulo 2^32 | does not depend on the order |
 //! | `atomic_min(index, value)`, `atomic_max(index, value)` | the smaller, the larger | does not depend on the order |
+//! | `atomic_and(index, value)`, `atomic_or(index, value)`, `atomic_xor(index, value)` | the bitwise result | does not depend on the order |
+//! | `atomic_exchange(index, value)` | `value` | |
+//! | `atomic_compare_exchange(index, expected, value)` | `value`, if it was `expected` | |
 //! | `atomic_load(index)` | unchanged | |
+//! | `atomic_store(index, value)` | `value`; returns nothing | |
 //!
 //! Where the table says so, the resulting element does not depend on the order of the invocations. The *returned*
 //! value always does. Use it as a ticket (for a free slot), and not as a number that is part of the result.
+//!
+//! `atomic_compare_exchange` has stored `value` where it returns `expected`. On Metal, and in browsers on it, there is only a weak one, which may rarely leave
+//! the element as it is: where one loss is too many, a flag by `atomic_exchange` or `atomic_max` is safer.
 //!
 //! Atomics order nothing else. Between a write and another invocation's read there must be a barrier, or a new
 //! dispatch. Until then, if one invocation changes an element atomically, no other may read or write it plainly. The
@@ -22,7 +29,7 @@ use spirv_std::arch::IndexUnchecked;
 use spirv_std::memory::{Scope, Semantics};
 
 #[cfg(not(target_arch = "spirv"))]
-use core::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use core::sync::atomic::{AtomicI32, AtomicU32, AtomicU64, Ordering};
 
 #[cfg(not(target_arch = "spirv"))]
 use crate::memory::Shared;
@@ -40,35 +47,63 @@ const NO_ORDER: u32 = Semantics::NONE.bits();
 /// The atomics of a buffer, or of an array in workgroup memory: see the [module](self).
 #[cfg(target_arch = "spirv")]
 #[allow(missing_docs)]
-pub trait AtomicBuffer {
-    fn atomic_add(&mut self, index: u32, value: u32) -> u32;
-    fn atomic_min(&mut self, index: u32, value: u32) -> u32;
-    fn atomic_max(&mut self, index: u32, value: u32) -> u32;
-    fn atomic_load(&mut self, index: u32) -> u32;
+pub trait AtomicBuffer<T> {
+    fn atomic_add(&mut self, index: u32, value: T) -> T;
+    fn atomic_min(&mut self, index: u32, value: T) -> T;
+    fn atomic_max(&mut self, index: u32, value: T) -> T;
+    fn atomic_and(&mut self, index: u32, value: T) -> T;
+    fn atomic_or(&mut self, index: u32, value: T) -> T;
+    fn atomic_xor(&mut self, index: u32, value: T) -> T;
+    fn atomic_exchange(&mut self, index: u32, value: T) -> T;
+    fn atomic_compare_exchange(&mut self, index: u32, expected: T, value: T) -> T;
+    fn atomic_load(&mut self, index: u32) -> T;
+    fn atomic_store(&mut self, index: u32, value: T);
 }
 
 /// The atomics of a GPU.
 #[cfg(target_arch = "spirv")]
 macro_rules! device_atomics {
-    ([$($generics:tt)*] $buffer:ty) => {
-        impl<$($generics)*> AtomicBuffer for $buffer {
-            device_atomics!(method atomic_add, atomic_i_add);
-            device_atomics!(method atomic_min, atomic_u_min);
-            device_atomics!(method atomic_max, atomic_u_max);
+    ([$($generics:tt)*] $buffer:ty, $element:ty, $min:ident, $max:ident) => {
+        impl<$($generics)*> AtomicBuffer<$element> for $buffer {
+            device_atomics!(method $element, atomic_add, atomic_i_add);
+            device_atomics!(method $element, atomic_min, $min);
+            device_atomics!(method $element, atomic_max, $max);
+            device_atomics!(method $element, atomic_and, atomic_and);
+            device_atomics!(method $element, atomic_or, atomic_or);
+            device_atomics!(method $element, atomic_xor, atomic_xor);
+            device_atomics!(method $element, atomic_exchange, atomic_exchange);
 
             #[inline(always)]
-            fn atomic_load(&mut self, index: u32) -> u32 {
+            fn atomic_compare_exchange(&mut self, index: u32, expected: $element, value: $element) -> $element {
+                // SAFETY: the CPU run checks the index
+                unsafe {
+                    let at = self.index_unchecked_mut(index as usize);
+                    spirv_std::arch::atomic_compare_exchange::<_, SCOPE, NO_ORDER, NO_ORDER>(at, value, expected)
+                }
+            }
+
+            #[inline(always)]
+            fn atomic_load(&mut self, index: u32) -> $element {
                 // SAFETY: the CPU run checks the index
                 unsafe {
                     let at = self.index_unchecked_mut(index as usize);
                     spirv_std::arch::atomic_load::<_, SCOPE, NO_ORDER>(at)
                 }
             }
+
+            #[inline(always)]
+            fn atomic_store(&mut self, index: u32, value: $element) {
+                // SAFETY: the CPU run checks the index
+                unsafe {
+                    let at = self.index_unchecked_mut(index as usize);
+                    spirv_std::arch::atomic_store::<_, SCOPE, NO_ORDER>(at, value);
+                }
+            }
         }
     };
-    (method $name:ident, $operation:ident) => {
+    (method $element:ty, $name:ident, $operation:ident) => {
         #[inline(always)]
-        fn $name(&mut self, index: u32, value: u32) -> u32 {
+        fn $name(&mut self, index: u32, value: $element) -> $element {
             // SAFETY: the CPU run checks the index
             unsafe {
                 let at = self.index_unchecked_mut(index as usize);
@@ -79,45 +114,77 @@ macro_rules! device_atomics {
 }
 
 #[cfg(target_arch = "spirv")]
-device_atomics!([][u32]);
+device_atomics!([][u32], u32, atomic_u_min, atomic_u_max);
 #[cfg(target_arch = "spirv")]
-device_atomics!([const N: usize] [u32; N]);
+device_atomics!([][i32], i32, atomic_s_min, atomic_s_max);
+#[cfg(target_arch = "spirv")]
+device_atomics!([const N: usize] [u32; N], u32, atomic_u_min, atomic_u_max);
+#[cfg(target_arch = "spirv")]
+device_atomics!([const N: usize] [i32; N], i32, atomic_s_min, atomic_s_max);
 
 /// The atomics of the CPU. `$view` is the buffer of a `self`.
 #[cfg(not(target_arch = "spirv"))]
 macro_rules! host_atomics {
-    ([$($generics:tt)*] $buffer:ty, $self:ident => $view:expr) => {
+    ([$($generics:tt)*] $buffer:ty, $element:ty, $atomic:ty, $self:ident => $view:expr) => {
         impl<$($generics)*> $buffer {
-            host_atomics!(method $self => $view, atomic_add, fetch_add, "Adds `value` at `index`, modulo 2^32.");
-            host_atomics!(method $self => $view, atomic_min, fetch_min, "Lowers what is at `index` to `value`.");
-            host_atomics!(method $self => $view, atomic_max, fetch_max, "Raises what is at `index` to `value`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_add, fetch_add, "Adds `value` at `index`, modulo 2^32.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_min, fetch_min, "Lowers what is at `index` to `value`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_max, fetch_max, "Raises what is at `index` to `value`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_and, fetch_and, "Keeps the bits of `value` at `index`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_or, fetch_or, "Sets the bits of `value` at `index`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_xor, fetch_xor, "Flips the bits of `value` at `index`.");
+            host_atomics!(method $element, $atomic, $self => $view, atomic_exchange, swap, "Stores `value` at `index`.");
+
+            /// Stores `value` at `index` if `expected` is there. Returns the old value. Panics if `index` is out of
+            /// range.
+            #[inline(always)]
+            #[track_caller]
+            pub fn atomic_compare_exchange(&$self, index: u32, expected: $element, value: $element) -> $element {
+                let order = Ordering::Relaxed;
+                let at = $view.address(index, Touch::Atomic);
+                // SAFETY: as in the others
+                let result = unsafe { <$atomic>::from_ptr(at) }.compare_exchange(expected, value, order, order);
+                result.unwrap_or_else(|found| found)
+            }
 
             /// The value at `index`. Panics if `index` is out of range.
             #[inline(always)]
             #[track_caller]
-            pub fn atomic_load(&$self, index: u32) -> u32 {
+            pub fn atomic_load(&$self, index: u32) -> $element {
                 // SAFETY: as in the others
-                unsafe { AtomicU32::from_ptr($view.address(index, Touch::Atomic)) }.load(Ordering::Relaxed)
+                unsafe { <$atomic>::from_ptr($view.address(index, Touch::Atomic)) }.load(Ordering::Relaxed)
+            }
+
+            /// Stores `value` at `index`. Panics if `index` is out of range.
+            #[inline(always)]
+            #[track_caller]
+            pub fn atomic_store(&$self, index: u32, value: $element) {
+                // SAFETY: as in the others
+                unsafe { <$atomic>::from_ptr($view.address(index, Touch::Store)) }.store(value, Ordering::Relaxed);
             }
         }
     };
-    (method $self:ident => $view:expr, $name:ident, $operation:ident, $doc:literal) => {
+    (method $element:ty, $atomic:ty, $self:ident => $view:expr, $name:ident, $operation:ident, $doc:literal) => {
         #[doc = $doc]
         /// Returns the old value. Panics if `index` is out of range.
         #[inline(always)]
         #[track_caller]
-        pub fn $name(&$self, index: u32, value: u32) -> u32 {
+        pub fn $name(&$self, index: u32, value: $element) -> $element {
             // SAFETY: the address is in range and aligned. Kernels touch such an element only through atomics, which
             // the CPU run with `check_races` checks.
-            unsafe { AtomicU32::from_ptr($view.address(index, Touch::Atomic)) }.$operation(value, Ordering::Relaxed)
+            unsafe { <$atomic>::from_ptr($view.address(index, Touch::Atomic)) }.$operation(value, Ordering::Relaxed)
         }
     };
 }
 
 #[cfg(not(target_arch = "spirv"))]
-host_atomics!(['a] Write<'a, u32>, self => self);
+host_atomics!(['a] Write<'a, u32>, u32, AtomicU32, self => self);
 #[cfg(not(target_arch = "spirv"))]
-host_atomics!(['a, const N: usize] Shared<'a, u32, N>, self => self.0);
+host_atomics!(['a] Write<'a, i32>, i32, AtomicI32, self => self);
+#[cfg(not(target_arch = "spirv"))]
+host_atomics!(['a, const N: usize] Shared<'a, u32, N>, u32, AtomicU32, self => self.0);
+#[cfg(not(target_arch = "spirv"))]
+host_atomics!(['a, const N: usize] Shared<'a, i32, N>, i32, AtomicI32, self => self.0);
 
 /// Adds `value` at `index`, and returns the old value. Sums of integers do not depend on the order.
 #[inline(always)]

@@ -75,7 +75,7 @@ impl WorkgroupMemory {
 
     /// The error of an access to an element, if it is wrong.
     fn fault(&self, element: &Element, touch: Touch, own: u64) -> Option<String> {
-        if touch != Touch::Write && self.is_unwritten(element) {
+        if !matches!(touch, Touch::Write | Touch::Store) && self.is_unwritten(element) {
             let earlier = element.atomics.iter().chain([&element.writer]).map(load);
             let before = earlier.map(|stamp| stamp >> INVOCATION_BITS).max().unwrap_or(0);
             let when = if before >= phase::first() { "in this round" } else { "yet" };
@@ -95,7 +95,7 @@ impl WorkgroupMemory {
         let (did, other) = marks.into_iter().find_map(|(stamp, did)| {
             let agree = match touch {
                 Touch::Read => matches!(did, Did::Read),
-                Touch::Atomic | Touch::Serial => matches!(did, Did::Changed),
+                Touch::Atomic | Touch::Store | Touch::Serial => matches!(did, Did::Changed),
                 Touch::Write => false,
             };
             if agree { None } else { Some((did, other(load(stamp), own)?)) }
@@ -141,14 +141,14 @@ impl AccessMonitor for WorkgroupMemory {
             let does = match touch {
                 Touch::Read => "reads",
                 Touch::Write => "writes",
-                Touch::Atomic | Touch::Serial => "atomically changes",
+                Touch::Atomic | Touch::Store | Touch::Serial => "atomically changes",
             };
             phase::conflict(&format!("{does} element {index} of `{name}`, {fault}"), at);
         }
         match touch {
             Touch::Read => leave(&element.readers, own),
             Touch::Write => element.writer.store(own, Ordering::Relaxed),
-            Touch::Atomic | Touch::Serial => leave(&element.atomics, own),
+            Touch::Atomic | Touch::Store | Touch::Serial => leave(&element.atomics, own),
         }
         Ok(())
     }

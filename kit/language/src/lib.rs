@@ -1,5 +1,6 @@
 //! The cases of kernels that test the kernel language.
 
+mod atomics;
 mod core_functions;
 mod elementary;
 mod language;

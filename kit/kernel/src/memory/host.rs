@@ -15,6 +15,8 @@ pub enum Touch {
     Write,
     /// Changes it atomically, or reads it atomically.
     Atomic,
+    /// Writes it atomically, independent of the old value.
+    Store,
     /// Changes it atomically on a GPU. On the CPU, no workgroup with another z changes it.
     Serial,
 }

@@ -3,6 +3,7 @@
 // the shader compiler cannot compile what clippy suggests instead
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
+pub mod atomics;
 pub mod core_functions;
 pub mod elementary;
 pub mod language;

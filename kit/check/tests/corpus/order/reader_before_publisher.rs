@@ -5,7 +5,7 @@ use crate::bug::*;
 #[kernel(threads(64))]
 pub fn reader_before_publisher(id: Invocation, shared: Write<u32>, output: Write<u32>) {
     if id.index() == 0 {
-        shared.atomic_max(0, 7);
+        shared.atomic_store(0, 7);
     }
     if id.index() < 100 {
         output.write(id.index(), shared.atomic_load(0)); //~

@@ -70,6 +70,7 @@ pub mod lane;
 pub mod lane_vec4;
 pub mod math;
 pub mod memory;
+mod pack;
 #[cfg(not(target_arch = "spirv"))]
 mod phase;
 pub mod prelude;

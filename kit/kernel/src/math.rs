@@ -15,6 +15,12 @@ use glam::Vec3;
 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
 use crate::fused::{check_cast, check_logarithm};
 use crate::lane::Lane;
+pub use crate::pack::*;
+pub use hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
+pub use integers::*;
+
+mod hyperbolic;
+mod integers;
 
 /// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.
 pub const HUGE: f32 = 3.402_823_5e38;
@@ -124,6 +130,45 @@ pub fn clamp(x: f32, low: f32, high: f32) -> f32 {
     min(max(x, low), high)
 }
 
+/// x less the largest integer that is not greater: from 0 to 1, as `fract` of WGSL. Rust's `x.fract()` has the sign of x.
+#[inline(always)]
+pub fn fract<L: Lane>(x: L) -> L {
+    x - floor(x)
+}
+
+/// -1, 0 or 1. Rust's `x.signum()` is never 0.
+#[inline(always)]
+pub fn sign<L: Lane>(x: L) -> L {
+    let [zero, one] = [L::splat(0.0), L::splat(1.0)];
+    L::select(zero.less(x), one, L::select(x.less(zero), -one, zero))
+}
+
+/// 1 from the edge on, 0 below it.
+#[inline(always)]
+pub fn step<L: Lane>(edge: L, x: L) -> L {
+    L::select(edge.less_equal(x), L::splat(1.0), L::splat(0.0))
+}
+
+/// From 0 at `low` to 1 at `high` along 3 t^2 - 2 t^3, to 1e-6; 0 and 1 outside.
+#[inline(always)]
+pub fn smoothstep<L: Lane>(low: L, high: L, x: L) -> L {
+    let number = L::splat;
+    let t = ((x - low) / (high - low)).max(number(0.0)).min(number(1.0));
+    t * t * (number(3.0) - number(2.0) * t)
+}
+
+/// 1 / sqrt x, to 1e-6 of its size, for positive x from [`TINY`] on.
+#[inline(always)]
+pub fn inverse_sqrt<L: Lane>(x: L) -> L {
+    L::splat(1.0) / x.sqrt()
+}
+
+/// a + t (b - a): a for t = 0, and b for t = 1, but for a rounding of both sizes.
+#[inline(always)]
+pub fn mix<L: Lane>(a: L, b: L, t: L) -> L {
+    a + t * (b - a)
+}
+
 /// Largest integer that is not greater than x; infinity, NaN and -0 are what they were. A GPU may take a negative denormal for 0.
 #[inline(always)]
 pub fn floor<L: Lane>(x: L) -> L {
@@ -141,7 +186,17 @@ pub fn round<L: Lane>(x: L) -> L {
     L::select(rest.less_equal(-half), whole - L::splat(1.0), up)
 }
 
-/// The largest angle of [`sin`] and [`cos`].
+/// Nearest integer, halves to the even one; infinity, NaN and -0 are what they were.
+#[inline(always)]
+pub fn round_even<L: Lane>(x: L) -> L {
+    let half = L::splat(0.5);
+    let even = L::splat(2.0) * round(x * half);
+    let distance = x - even;
+    let is_nearest = L::both((-half).less_equal(distance), distance.less_equal(half));
+    L::select(is_nearest, even, round(x))
+}
+
+/// The largest angle of [`sin`], [`cos`] and [`tan`].
 pub const MAX_ANGLE: f32 = 8192.0;
 
 /// Sine, to 1.2e-7, for |x| up to [`MAX_ANGLE`].
@@ -154,6 +209,13 @@ pub fn sin<L: Lane>(x: L) -> L {
 #[inline(always)]
 pub fn cos<L: Lane>(x: L) -> L {
     sine_in_quarter(quarter(x), 1.0)
+}
+
+/// Tangent, to 5e-7 (1 + tan^2), for |x| up to [`MAX_ANGLE`].
+#[inline(always)]
+pub fn tan<L: Lane>(x: L) -> L {
+    let angle = quarter(x);
+    sine_in_quarter(angle, 0.0) / sine_in_quarter(angle, 1.0)
 }
 
 /// n and r of x = n pi/2 + r, |r| <= pi/4: Cody and Waite's reduction. The first two parts of pi/2 have so few bits that their products
@@ -219,18 +281,38 @@ pub fn atan2<L: Lane>(y: L, x: L) -> L {
     with_sign_of(y, angle)
 }
 
-/// Hyperbolic tangent, to 3e-7 of its size.
+/// Arcsine, to 2e-7. What is beyond -1 or 1 counts as that.
 #[inline(always)]
-pub fn tanh<L: Lane>(x: L) -> L {
+pub fn asin<L: Lane>(x: L) -> L {
+    let (is_large, angle) = arcsine_of_size(size(x));
+    let angle = L::select(is_large, L::splat(FRAC_PI_2) - angle, angle);
+    with_sign_of(x, angle)
+}
+
+/// Arccosine, to 4e-7. What is beyond -1 or 1 counts as that.
+#[inline(always)]
+pub fn acos<L: Lane>(x: L) -> L {
     let number = L::splat;
-    let one = number(1.0);
-    let e = minus_size(x + x).exp();
-    let large = with_sign_of(x, (one - e) / (one + e));
-    // Cephes' polynomial: the difference above would lose the digits of a small x
-    let z = x * x;
-    let series = (number(-5.704_988_7e-3) * z + number(2.063_909e-2)) * z - number(5.373_971_6e-2);
-    let series = ((series * z + number(1.333_144_2e-1)) * z - number(3.333_328e-1)) * z;
-    L::select(size(x).less(number(0.625)), series * x + x, large)
+    let (is_large, angle) = arcsine_of_size(size(x));
+    let is_negative = x.less(number(0.0));
+    let far = L::select(is_negative, number(PI) - angle, angle);
+    L::select(is_large, far, number(FRAC_PI_2) - with_sign_of(x, angle))
+}
+
+/// The arcsine of x >= 0, or the arccosine if x is more than a half, and whether it is. Cephes' polynomial takes at most a half.
+#[inline(always)]
+fn arcsine_of_size<L: Lane>(x: L) -> (L::Mask, L) {
+    let number = L::splat;
+    let half = number(0.5);
+    let is_large = half.less(x);
+    // arccos x = 2 arcsin sqrt((1 - x) / 2)
+    let square = (number(1.0) - x.min(number(1.0))) * half;
+    let z = L::select(is_large, square, x * x);
+    let root = L::select(is_large, square.sqrt(), x);
+    let series = (number(4.216_32e-2) * z + number(2.418_131e-2)) * z + number(4.547_002_6e-2);
+    let series = ((series * z + number(7.495_300_3e-2)) * z + number(1.666_675_2e-1)) * z;
+    let angle = series * root + root;
+    (is_large, L::select(is_large, angle + angle, angle))
 }
 
 /// |x|
@@ -257,6 +339,16 @@ pub fn ln(x: f32) -> f32 {
     n * 0.693_359_4 + (s + (rest - n * 2.121_944_4e-4))
 }
 
+/// Logarithm to the base 2, to 5e-7 of its size, for what [`ln`] takes. A power of two has the exact one.
+#[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
+pub fn log2(x: f32) -> f32 {
+    #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+    check_logarithm(x);
+    let (n, s, rest) = logarithm(x);
+    n + (s + rest) * core::f32::consts::LOG2_E
+}
+
 /// n, s and r of ln x = n ln 2 + s + r, where r is much smaller than s.
 #[inline(always)]
 fn logarithm(x: f32) -> (f32, f32, f32) {
@@ -269,6 +361,52 @@ fn logarithm(x: f32) -> (f32, f32, f32) {
     let t = s * s;
     let series = t * (1.0 / 3.0 + t * (1.0 / 5.0 + t * (1.0 / 7.0 + t * (1.0 / 9.0))));
     (n, 2.0 * s, 2.0 * s * series)
+}
+
+/// 2^x, to 3e-7 of its size. Infinity from 128 on, exact for integers, and below -126 what a device makes of denormals.
+#[inline(always)]
+pub fn exp2(x: f32) -> f32 {
+    let n = round(clamp(x, -151.0, 129.0));
+    let f = x - n;
+    // Cephes' polynomial for |f| up to a half
+    let series = (1.535_336_2e-4 * f + 1.339_887_4e-3) * f + 9.618_437e-3;
+    let series = ((series * f + 5.550_332_5e-2) * f + 2.402_264_8e-1) * f + 6.931_472e-1;
+    // in two steps, because 2^128 is infinite
+    let first = n as i32 / 2;
+    let second = n as i32 - first;
+    let power = |n: i32| f32::from_bits(((n + 127) as u32) << 23);
+    let value = (series * f + 1.0) * power(first) * power(second);
+    // elsewhere, f is no fraction
+    if x < -151.0 {
+        0.0
+    } else if x > 129.0 {
+        power(128)
+    } else {
+        value
+    }
+}
+
+/// x 2^n, exact as long as it is from [`TINY`] to [`HUGE`]; infinite or 0 where n is beyond that.
+#[inline(always)]
+pub fn ldexp(x: f32, n: i32) -> f32 {
+    let limited = n.max(-300).min(300);
+    // in three steps, because a power of two is one of 254
+    let first = limited / 3;
+    let second = (limited - first) / 2;
+    let power = |n: i32| f32::from_bits(((n + 127) as u32) << 23);
+    x * power(first) * power(second) * power(limited - first - second)
+}
+
+/// f and n of x = f 2^n with |f| from 1/2 to 1, for |x| from [`TINY`] to [`HUGE`]; 0 and 0 for 0.
+#[inline(always)]
+pub fn frexp(x: f32) -> (f32, i32) {
+    let bits = x.to_bits();
+    let exponent = bits >> 23 & 0xff;
+    // a device may take a denormal for 0
+    if exponent == 0 {
+        return (0.0, 0);
+    }
+    (f32::from_bits(bits & 0x807f_ffff | 126 << 23), exponent as i32 - 126)
 }
 
 /// x^y for positive x from [`TINY`] on, to 1e-6 (1 + |y ln x|) of its size, as long as it is from [`TINY`] to [`HUGE`]. A device that checks
@@ -387,9 +525,12 @@ mod tests {
                 worst = worst.max((f64::from(found) - exact).abs());
             }
             let wide = Wide::<8, false>::splat(x);
-            assert_eq!(sin(wide).0[3], sin(x), "{x}");
+            assert_eq!((sin(wide).0[3], tan(wide).0[7]), (sin(x), tan(x)), "{x}");
             assert_eq!((floor(wide).0[0], round(wide).0[0]), (floor(x), round(x)), "{x}");
             assert_eq!((floor(x), round(x)), (libm::floorf(x), libm::roundf(x)), "{x}");
+            let half = 0.5 * (step as f32);
+            assert_eq!(round_even(half), libm::rintf(half), "{half}");
+            assert_eq!(round_even(Wide::<8, false>::splat(half)).0[7], round_even(half), "{half}");
         }
         assert!(worst < 1.2e-7, "{worst:e}");
     }
@@ -397,12 +538,35 @@ mod tests {
     // their errors are held by the kernel `elementary`
     #[test]
     fn inverse_and_hyperbolic_functions_have_ends() {
-        assert_eq!(atan2(0.0, 0.0), 0.0);
-        assert!([tanh(f32::NAN), atan(f32::NAN)].iter().all(|x| x.is_nan()));
+        assert_eq!([atan2(0.0, 0.0), asin(1.5), acos(1.5)], [0.0, FRAC_PI_2, 0.0]);
+        assert_eq!([exp2(-3.0), exp2(127.0), exp2(-126.0)], [0.125, 2.0_f32.powi(127), TINY]);
+        assert_eq!([exp2(128.0), exp2(1e9), exp2(-1e9)], [f32::INFINITY, f32::INFINITY, 0.0]);
+        assert_eq!([sinh(-100.0), cosh(100.0)], [f32::NEG_INFINITY, f32::INFINITY]);
+        assert_eq!([sinh(89.0), cosh(-89.0)].map(is_finite), [true; 2]);
+        assert_eq!([asinh(0.0), acosh(1.0), acosh(0.5), atanh(0.0)], [0.0; 4]);
+        assert!(asinh(-HUGE) < -89.0 && acosh(HUGE) > 89.0);
+        let not_numbers = [exp2(f32::NAN), tanh(f32::NAN), sinh(f32::NAN), atan(f32::NAN)];
+        assert!(not_numbers.iter().all(|x| x.is_nan()));
         assert_eq!([tanh(100.0), tanh(-HUGE), atan(f32::INFINITY)], [1.0, -1.0, FRAC_PI_2]);
+        for n in -126..128 {
+            assert_eq!(log2(exp2(n as f32)), n as f32);
+        }
         let wide = Wide::<8, false>::splat(-0.7);
         assert_eq!(atan2(wide, wide).0[3], atan2(-0.7, -0.7));
-        assert_eq!(tanh(wide).0[2], tanh(-0.7));
+        assert_eq!(
+            [asin(wide).0[0], acos(wide).0[1], tanh(wide).0[2], fract(wide).0[3], sign(wide).0[4]],
+            [asin(-0.7), acos(-0.7), tanh(-0.7), fract(-0.7), -1.0]
+        );
+        for (x, f, n) in
+            [(1.0, 0.5, 1), (-3.0, -0.75, 2), (TINY, 0.5, -125), (HUGE, 0.999_999_94, 128)]
+        {
+            assert_eq!((frexp(x), ldexp(f, n)), ((f, n), x));
+        }
+        assert_eq!(
+            [ldexp(1.0, 128), ldexp(-1.0, i32::MAX), ldexp(HUGE, -300)],
+            [f32::INFINITY, f32::NEG_INFINITY, 0.0]
+        );
+        assert_eq!(ldexp(TINY, 253), HUGE.min(2.0_f32.powi(127)));
     }
 
     #[test]

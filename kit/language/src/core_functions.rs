@@ -7,7 +7,7 @@ use muslin_language_kernels::core_functions::{CoreFunctionsInputs, CoreParams, R
 case!(pub CoreFunctions(CoreFunctionsInputs));
 
 /// Integers at which functions change.
-const INTEGERS: [u32; 25] = [
+pub const INTEGERS: [u32; 25] = [
     0, 1, 2, 3, 7, 31, 32, 33, 127, 128, 255, 256, 0x7c00, 0x7fff, 0xffff, 0x1_0000, 0x7fffffff,
     0x80000000, 0x80000001, !0x7fff, !0x7f, !1, !0, 123456789, 3000000000,
 ];

@@ -3,6 +3,7 @@
 mod atomics;
 mod core_functions;
 mod elementary;
+mod integers;
 mod language;
 mod loops;
 mod vectors;

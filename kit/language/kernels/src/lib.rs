@@ -6,6 +6,7 @@
 pub mod atomics;
 pub mod core_functions;
 pub mod elementary;
+pub mod integers;
 pub mod language;
 pub mod loops;
 pub mod vectors;

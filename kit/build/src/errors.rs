@@ -7,7 +7,7 @@ use muslin_kernel::{KernelInfo, kernels};
 use rspirv::dr::{self, Operand};
 
 /// Parts of the compiler's messages, and our words for them.
-const CAUSES: [(&str, &str); 19] = [
+const CAUSES: [(&str, &str); 20] = [
     (
         "used from within `<[",
         "GPUs have no slices; take the elements of an array by an index, or loop over it with `for`",
@@ -57,6 +57,10 @@ const CAUSES: [(&str, &str); 19] = [
     ),
     ("(signal: ", "the compiler crashes; leave out parts of the kernel to find which one it is"),
     ("globals are not", "GPUs have no `static`; make it a `const`"),
+    (
+        "Expected Constituents to be scalars",
+        "a vector of `u32` is shifted by an `i32`, as a bare number is; write `v >> 3_u32`",
+    ),
     (
         "unsupported unsized",
         "there is a slice, or a text as of a panic, and GPUs have none; give an array its length, `&[u32; 4]`",

@@ -7,6 +7,8 @@
 //! | NaN is what differs from itself | a compiler may take `x == x` for true | the bits are compared with infinity's |
 //! | `checked_add` of `i32`, and its kin, overflow where `(b < 0) == (a + b > a)` | that is so for b = 0, too | `(b < 0) == (a + b >= a)` |
 //! | `round` is `Round` | GLSL leaves open where halves go | the fraction is compared with a half |
+//!
+//! The compiler makes one instruction of what is done to all components of a vector: it is taken apart first.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -77,7 +79,10 @@ impl Expansion {
         let (Some(kind), Some(id)) = (instruction.result_type, instruction.result_id) else {
             return writer.instructions.push(instruction);
         };
-        if let Some((library, x)) = self.rounded(&instruction) {
+        if self.vector(&instruction).is_some() {
+            return self.take_apart(writer, instruction);
+        }
+        if let Some((library, x)) = rounded(&instruction).filter(|_| kind == self.ids.float) {
             return self.round(writer, id, library, x);
         }
         let Some([a, b]) = pair(&instruction) else {
@@ -102,17 +107,53 @@ impl Expansion {
         }
     }
 
-    /// The number that `Round` takes, after the id of GLSL's functions.
-    fn rounded(&self, of: &Instruction) -> Option<(Word, Word)> {
-        let round = Operand::LiteralExtInstInteger(GlslStd450Op::Round as u32);
-        match &of.operands[..] {
-            [Operand::IdRef(library), function, Operand::IdRef(x)]
-                if *function == round && of.result_type == Some(self.ids.float) =>
-            {
-                Some((*library, *x))
-            }
-            _ => None,
+    /// The components of a result, and their type, of an instruction that is only known for numbers.
+    fn vector(&self, of: &Instruction) -> Option<(u32, Word)> {
+        let kind = self.definitions.get(&of.result_type?)?;
+        let [Operand::IdRef(component), Operand::LiteralBit32(count)] = kind.operands[..] else {
+            return None;
+        };
+        let is_taken_apart = rounded(of).is_some()
+            || pair(of).is_some_and(|[a, b]| a == b && is_comparison(of.class.opcode));
+        (kind.class.opcode == Op::TypeVector && is_taken_apart).then_some((count, component))
+    }
+
+    /// Writes an instruction once for each component of its vectors of floats.
+    fn take_apart(&mut self, writer: &mut Writer, of: Instruction) {
+        let (Some((count, kind)), Some(vector)) = (self.vector(&of), of.result_type) else {
+            return;
+        };
+        let components: Vec<_> = (0..count)
+            .map(|lane| {
+                let mut operands = of.operands.clone();
+                // a library's id stands first, and both sides of a comparison are the same
+                let vectors = operands.iter_mut().skip(usize::from(of.class.opcode == Op::ExtInst));
+                let vectors = vectors.filter_map(Operand::id_ref_any_mut);
+                let mut component = None;
+                for id in vectors {
+                    *id = *component.get_or_insert_with(|| self.component(writer, *id, lane));
+                }
+                let id = writer.id();
+                self.expand(
+                    writer,
+                    Instruction::new(of.class.opcode, Some(kind), Some(id), operands),
+                );
+                id
+            })
+            .collect();
+        if let Some(id) = of.result_id {
+            writer.push(Op::CompositeConstruct, vector, id, &components);
         }
+    }
+
+    /// A component of a vector of floats.
+    fn component(&mut self, writer: &mut Writer, vector: Word, lane: u32) -> Word {
+        let id = writer.add(Op::CompositeExtract, self.ids.float, &[vector]);
+        if let Some(last) = writer.instructions.last_mut() {
+            last.operands.push(Operand::LiteralBit32(lane));
+            self.definitions.insert(id, last.clone());
+        }
+        id
     }
 
     /// The nearest integer, halves away from 0, as Rust's `round`: x without its fraction, and 1 with the sign of x where the fraction is a
@@ -240,6 +281,23 @@ impl Sum {
     }
 }
 
+/// The number, or the vector, that `Round` takes, after the id of GLSL's functions.
+fn rounded(of: &Instruction) -> Option<(Word, Word)> {
+    let round = Operand::LiteralExtInstInteger(GlslStd450Op::Round as u32);
+    match &of.operands[..] {
+        [Operand::IdRef(library), function, Operand::IdRef(x)] if *function == round => {
+            Some((*library, *x))
+        }
+        _ => None,
+    }
+}
+
+/// Whether an instruction compares floats in a way that tells NaN, if both are the same.
+fn is_comparison(op: Op) -> bool {
+    use Op::{FOrdEqual, FOrdGreaterThanEqual, FOrdLessThanEqual, FUnordNotEqual};
+    matches!(op, FUnordNotEqual | FOrdEqual | FOrdLessThanEqual | FOrdGreaterThanEqual)
+}
+
 /// The operands of an instruction that has two.
 fn pair(instruction: &Instruction) -> Option<[Word; 2]> {
     match instruction.operands[..] {
@@ -315,5 +373,31 @@ mod tests {
             b.ext_inst(float, None, library, GlslStd450Op::Round as u32, operands).unwrap();
         });
         assert!(ops.contains(&Op::FOrdGreaterThanEqual) && ops.contains(&Op::Select), "{ops:?}");
+    }
+
+    #[test]
+    fn vectors_are_taken_apart() {
+        let count = |ops: &[Op], op| ops.iter().filter(|found| **found == op).count();
+        let of = |op: Op| {
+            expanded(32, |b, [_, bool], _| {
+                let float = b.type_float(32, None);
+                let [vector, bools] = [float, bool].map(|kind| b.type_vector(kind, 3));
+                let one = b.spec_constant_bit32(float, 0);
+                let x = b.constant_composite(vector, [one; 3]);
+                let library = b.ext_inst_import("GLSL.std.450");
+                let x_of = [Operand::IdRef(x)];
+                if op == Op::ExtInst {
+                    b.ext_inst(vector, None, library, GlslStd450Op::Round as u32, x_of).unwrap();
+                } else {
+                    b.f_unord_not_equal(bools, None, x, x).unwrap();
+                }
+            })
+        };
+        for (op, last) in [(Op::ExtInst, Op::Select), (Op::FUnordNotEqual, Op::UGreaterThan)] {
+            let ops = of(op);
+            let counts =
+                [Op::CompositeExtract, last, Op::CompositeConstruct].map(|of| count(&ops, of));
+            assert_eq!(counts, [3, 3, 1], "{ops:?}");
+        }
     }
 }

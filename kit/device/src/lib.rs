@@ -56,6 +56,8 @@
 //!
 //! # Elsewhere
 //!
+//! [`Device::from_wgpu`] runs kernels on a device of wgpu that the program has opened, on buffers that may be its own.
+//!
 //! [`Device::planner`] runs nothing. It records buffers and dispatches as a [`DevicePlan`], which something else can run:
 //! for example, a browser with WebGPU.
 //!
@@ -76,6 +78,8 @@ mod cpu_memory;
 mod device;
 #[cfg_attr(not(feature = "gpu"), path = "no_gpu.rs")]
 mod gpu;
+#[cfg(feature = "gpu")]
+mod interop;
 mod job;
 mod modules;
 mod options;
@@ -99,3 +103,6 @@ pub use muslin_manifest::{STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{BufferRange, DevicePlan, PlannedBuffer, PlannedCount, Step};
 pub use transfer::Pending;
+/// The version of wgpu whose devices and buffers [`Device::from_wgpu`] and [`Buffer::from_wgpu`] take.
+#[cfg(feature = "gpu")]
+pub use wgpu;

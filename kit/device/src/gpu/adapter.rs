@@ -55,19 +55,34 @@ fn enumerate() -> Vec<wgpu::Adapter> {
 
 /// Whether an adapter accepts SPIR-V unchanged.
 fn can_pass_through(adapter: &wgpu::Adapter) -> bool {
-    adapter.get_info().backend == wgpu::Backend::Vulkan
-        && adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
+    passes_through(&adapter.get_info(), adapter.features())
+}
+
+fn passes_through(info: &wgpu::AdapterInfo, features: wgpu::Features) -> bool {
+    info.backend == wgpu::Backend::Vulkan && features.contains(wgpu::Features::PASSTHROUGH_SHADERS)
+}
+
+/// The path of SPIR-V to a device that the program has opened, which must have the limits that kernels may use.
+pub fn path_of(device: &wgpu::Device, wanted: Option<SpirvPath>) -> Result<SpirvPath> {
+    let info = device.adapter_info();
+    path(&info, &device.limits(), wanted, passes_through(&info, device.features()))
 }
 
 /// The path of SPIR-V, by default passed through if possible.
-fn path(adapter: &wgpu::Adapter, wanted: Option<SpirvPath>) -> Result<SpirvPath> {
-    let wgpu::AdapterInfo { name, backend, .. } = adapter.get_info();
-    let limits = adapter.limits();
-    require(&limits).map_err(|reason| Error::NoGpu { reason: format!("{name} {reason}") })?;
-    let can_pass_through = can_pass_through(adapter);
+fn path(
+    info: &wgpu::AdapterInfo,
+    limits: &wgpu::Limits,
+    wanted: Option<SpirvPath>,
+    can_pass_through: bool,
+) -> Result<SpirvPath> {
+    let name = &info.name;
+    require(limits).map_err(|reason| Error::NoGpu { reason: format!("{name} {reason}") })?;
     match wanted {
         Some(SpirvPath::Passthrough) if !can_pass_through => Err(Error::NoGpu {
-            reason: format!("{name} ({backend}) does not take SPIR-V as it is; use `--spirv naga`"),
+            reason: format!(
+                "{name} ({}) does not take SPIR-V as it is; use `--spirv naga`",
+                info.backend
+            ),
         }),
         Some(spirv) => Ok(spirv),
         None if can_pass_through => Ok(SpirvPath::Passthrough),
@@ -96,7 +111,9 @@ pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
     };
     adapters.retain(|adapter| kind(adapter) == best);
     let adapter = adapters.swap_remove(options.place % adapters.len());
-    let spirv = path(&adapter, options.spirv)?;
+
+    let info = adapter.get_info();
+    let spirv = path(&info, &adapter.limits(), options.spirv, can_pass_through(&adapter))?;
     Ok((adapter, spirv))
 }
 

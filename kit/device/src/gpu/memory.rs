@@ -15,6 +15,8 @@ pub struct GpuMemory(Arc<Lent>);
 struct Lent {
     buffer: Numbered,
     pool: MemoryPool,
+    /// Whether it was made elsewhere, so that nobody else may get it.
+    is_foreign: bool,
 }
 
 impl GpuMemory {
@@ -41,7 +43,9 @@ impl Deref for GpuMemory {
 
 impl Drop for Lent {
     fn drop(&mut self) {
-        self.pool.unused().returned.push(self.buffer.clone());
+        if !self.is_foreign {
+            self.pool.unused().returned.push(self.buffer.clone());
+        }
     }
 }
 
@@ -79,18 +83,23 @@ impl MemoryPool {
         let (place, _) =
             fitting.min_by_key(|(_, ((number, buffer), _))| (buffer.size(), *number))?;
         let (buffer, _) = unused.free.swap_remove(place);
-        Some(self.hold(buffer))
+        Some(self.hold(buffer, false))
     }
 
-    fn hold(&self, buffer: Numbered) -> GpuMemory {
-        GpuMemory(Arc::new(Lent { buffer, pool: self.clone() }))
+    fn hold(&self, buffer: Numbered, is_foreign: bool) -> GpuMemory {
+        GpuMemory(Arc::new(Lent { buffer, pool: self.clone(), is_foreign }))
     }
 
     /// A new buffer that joins the pool when nobody has it anymore.
     pub fn lend(&self, buffer: wgpu::Buffer) -> GpuMemory {
         let mut unused = self.unused();
         unused.made += 1;
-        self.hold((unused.made, buffer))
+        self.hold((unused.made, buffer), false)
+    }
+
+    /// A buffer that was made elsewhere, and never joins the pool.
+    pub fn adopt(&self, buffer: wgpu::Buffer) -> GpuMemory {
+        self.hold((0, buffer), true)
     }
 
     /// Declares that all recorded commands are submitted.

@@ -61,14 +61,35 @@ impl Gpu {
     pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
         let (adapter, spirv) = adapter::choose(options)?;
         let (device, queue) = adapter::request(&adapter, spirv)?;
+        let gpu = Self::new(device, queue, spirv, options, modules);
+        record_failures(&gpu.device, &gpu.failures);
+        Ok(gpu)
+    }
+
+    /// A device that was opened elsewhere, which keeps its own callbacks.
+    pub fn adopt(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        options: &DeviceOptions,
+        modules: &'static Modules,
+    ) -> Result<Self> {
+        let spirv = adapter::path_of(&device, options.spirv)?;
+        Ok(Self::new(device, queue, spirv, options, modules))
+    }
+
+    fn new(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        spirv: SpirvPath,
+        options: &DeviceOptions,
+        modules: &'static Modules,
+    ) -> Self {
         let variants = Variants::new(&device, options.variants);
         let memory = MemoryPool::default();
         let info = device.adapter_info();
         let is_software = info.device_type == wgpu::DeviceType::Cpu && !options.like_a_card;
         let memory_bytes = if is_software { None } else { adapter::memory_bytes(&device) };
-        let failures = Arc::default();
-        record_failures(&device, &failures);
-        Ok(Self {
+        Self {
             recorder: Mutex::new(Recorder::new(&device, &memory)),
             memory,
             staging: Mutex::default(),
@@ -81,8 +102,18 @@ impl Gpu {
             queue,
             spirv,
             variants,
-            failures,
-        })
+            failures: Arc::default(),
+        }
+    }
+
+    /// The device and its queue.
+    pub fn wgpu(&self) -> (&wgpu::Device, &wgpu::Queue) {
+        (&self.device, &self.queue)
+    }
+
+    /// Memory that was made elsewhere, on this device.
+    pub fn adopt_buffer(&self, buffer: wgpu::Buffer) -> GpuMemory {
+        self.memory.adopt(buffer)
     }
 
     /// The memory of a buffer of this device. Under the number of another device's buffer, wgpu finds other memory, or none.

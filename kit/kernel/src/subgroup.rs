@@ -61,7 +61,7 @@ use crate::workgroup::{meet, subgroup_size as size};
 /// The sizes that the subgroups of a device can have.
 pub const SIZES: [u32; 6] = [4, 8, 16, 32, 64, 128];
 
-/// A number that subgroups exchange: `u32` or `f32`. [`Invocation`] has the methods.
+/// A number that subgroups exchange: `u32`, `i32` or `f32`. [`Invocation`] has the methods.
 #[allow(missing_docs)]
 pub trait SubgroupNumber: Copy {
     #[doc(hidden)]
@@ -107,6 +107,17 @@ number! { u32:
     subgroup_sum() is subgroup_i_add, Sum;
     subgroup_min() is subgroup_u_min, Min;
     subgroup_max() is subgroup_u_max, Max;
+    subgroup_inclusive_sum() is subgroup_inclusive_i_add, InclusiveSum;
+    subgroup_exclusive_sum() is subgroup_exclusive_i_add, ExclusiveSum;
+    subgroup_broadcast_first() is subgroup_broadcast_first, First;
+    subgroup_shuffle(lane) is subgroup_shuffle, Shuffle;
+    subgroup_shuffle_xor(mask) is subgroup_shuffle_xor, ShuffleXor;
+}
+
+number! { i32:
+    subgroup_sum() is subgroup_i_add, Sum;
+    subgroup_min() is subgroup_s_min, SignedMin;
+    subgroup_max() is subgroup_s_max, SignedMax;
     subgroup_inclusive_sum() is subgroup_inclusive_i_add, InclusiveSum;
     subgroup_exclusive_sum() is subgroup_exclusive_i_add, ExclusiveSum;
     subgroup_broadcast_first() is subgroup_broadcast_first, First;
@@ -161,6 +172,49 @@ impl Invocation {
     }
 }
 
+impl Invocation {
+    /// Whether it is true in any of the subgroup's lanes.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_any(&self, is: bool) -> bool {
+        self.subgroup_ballot(is) != UVec4::ZERO
+    }
+
+    /// Whether it is true in all of the subgroup's lanes.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_all(&self, is: bool) -> bool {
+        self.subgroup_ballot(!is) == UVec4::ZERO
+    }
+}
+
+/// Methods that combine the bits of each lane.
+macro_rules! bitwise {
+    ($($(#[$doc:meta])* $function:ident is $on_gpu:ident, $operation:ident;)*) => {
+        impl Invocation {$(
+            $(#[$doc])*
+            #[inline(always)]
+            #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+            pub fn $function(&self, bits: u32) -> u32 {
+                #[cfg(target_arch = "spirv")]
+                let result = arch::$on_gpu(bits);
+                #[cfg(not(target_arch = "spirv"))]
+                let result = meet(Operation::$operation, &[bits]).x;
+                result
+            }
+        )*}
+    };
+}
+
+bitwise! {
+    /// The bits that all lanes have.
+    subgroup_and is subgroup_and, And;
+    /// The bits that any lane has.
+    subgroup_or is subgroup_or, Or;
+    /// The bits that an odd number of lanes has.
+    subgroup_xor is subgroup_xor, Xor;
+}
+
 /// Methods that combine a value of each lane.
 macro_rules! operations {
     ($($(#[$doc:meta])* $function:ident($($operand:ident)?);)*) => {
@@ -176,16 +230,16 @@ macro_rules! operations {
 }
 
 operations! {
-    /// The sum of the subgroup's values: of `u32` modulo 2^32, of `f32` in an order that the device chooses.
+    /// The sum of the subgroup's values: of integers modulo 2^32, of `f32` in an order that the device chooses.
     subgroup_sum();
     /// The smallest of the subgroup's values. None of them is NaN.
     subgroup_min();
     /// The largest of the subgroup's values. None of them is NaN.
     subgroup_max();
-    /// The sum of the values of this lane and of those before it: an inclusive scan. Modulo 2^32 of `u32`, of `f32` in an order that the
+    /// The sum of the values of this lane and of those before it: an inclusive scan. Modulo 2^32 of integers, of `f32` in an order that the
     /// device chooses.
     subgroup_inclusive_sum();
-    /// The sum of the values of the lanes before this one, 0 in the first: an exclusive scan. Modulo 2^32 of `u32`, of `f32` in an order
+    /// The sum of the values of the lanes before this one, 0 in the first: an exclusive scan. Modulo 2^32 of integers, of `f32` in an order
     /// that the device chooses.
     subgroup_exclusive_sum();
     /// The value that `lane` gives. Each lane can ask for another one, and that is in the subgroup.
@@ -227,6 +281,11 @@ pub(crate) enum Operation {
     Sum,
     Min,
     Max,
+    SignedMin,
+    SignedMax,
+    And,
+    Or,
+    Xor,
     FloatSum,
     FloatMin,
     FloatMax,
@@ -249,6 +308,7 @@ impl Operation {
     /// The lane that a shuffle asks for, if there is none.
     pub(crate) fn of(self, lane: usize, lanes: &[UVec4]) -> Result<UVec4, u32> {
         let values = || lanes.iter().map(|given| given.x);
+        let signed = || values().map(u32::cast_signed);
         let floats = || values().map(f32::from_bits);
         let float = |value: Option<f32>| value.unwrap_or_default().to_bits();
         let value_of = |asked: u32| lanes.get(asked as usize).map(|given| given.x).ok_or(asked);
@@ -256,6 +316,11 @@ impl Operation {
             Self::Sum => values().fold(0, u32::wrapping_add),
             Self::Min => values().min().unwrap_or_default(),
             Self::Max => values().max().unwrap_or_default(),
+            Self::SignedMin => signed().min().unwrap_or_default().cast_unsigned(),
+            Self::SignedMax => signed().max().unwrap_or_default().cast_unsigned(),
+            Self::And => values().fold(!0, |all, bits| all & bits),
+            Self::Or => values().fold(0, |all, bits| all | bits),
+            Self::Xor => values().fold(0, |all, bits| all ^ bits),
             Self::FloatSum => float(floats().reduce(|a, b| a + b)),
             Self::FloatMin => float(floats().reduce(f32::min)),
             Self::FloatMax => float(floats().reduce(f32::max)),

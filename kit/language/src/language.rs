@@ -99,7 +99,7 @@ impl Parity for ScanAndShuffle {
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, _, random| {
             let values = (0..count).map(|_| random.bits()).collect();
-            let found = unwritten(4 * count as usize);
+            let found = unwritten(5 * count as usize);
             Self(ScanAndShuffleInputs { params: LanguageParams { count }, values, found })
         })
     }

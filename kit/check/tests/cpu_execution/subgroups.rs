@@ -12,6 +12,16 @@ const INVOCATIONS: u32 = 96;
 /// Of each invocation: lane, sum, smallest, largest and first of the squares, and how many are odd.
 #[kernel(threads(INVOCATIONS), subgroups)]
 pub fn each_operation(id: Invocation, output: Write<u32>, floats: Write<f32>) {
+    combined(id, output, floats);
+}
+
+/// The same in a workgroup that can be one whole subgroup, or a part of one.
+#[kernel(threads(64), subgroups)]
+pub fn each_of_64(id: Invocation, output: Write<u32>, floats: Write<f32>) {
+    combined(id, output, floats);
+}
+
+fn combined(id: Invocation, output: Write<u32>, floats: Write<f32>) {
     let own = id.local.x * id.local.x;
     let first = 6 * id.index();
     if id.workgroup.x == 0 {
@@ -102,14 +112,19 @@ fn every_size() -> impl Iterator<Item = (usize, Device)> {
 
 #[test]
 fn operations_combine_the_lanes_of_one_subgroup() {
-    let squares: Vec<u32> = (0..INVOCATIONS).map(|i| i * i).collect();
-    for (size, device) in every_size() {
+    let devices: Vec<_> = every_size().collect();
+    let with_counts = devices.iter().flat_map(|of| [(of, INVOCATIONS), (of, 64)]);
+    for ((size, device), count) in with_counts {
+        let squares: Vec<u32> = (0..count).map(|i| i * i).collect();
         let output = device.unwritten("output", 6 * squares.len()).unwrap();
         let floats = device.unwritten("floats", 4 * squares.len()).unwrap();
-        let kernel = EachOperationKernel { output: &output, floats: &floats };
-        device.run(&kernel, INVOCATIONS, 1).unwrap();
-        let (output, floats) = (device.read(&output).unwrap(), device.read(&floats).unwrap());
-        for lanes in squares.chunks(size) {
+        let (output, floats) = (&output, &floats);
+        match count {
+            64 => device.run(&EachOf64Kernel { output, floats }, count, 1).unwrap(),
+            _ => device.run(&EachOperationKernel { output, floats }, count, 1).unwrap(),
+        }
+        let (output, floats) = (device.read(output).unwrap(), device.read(floats).unwrap());
+        for lanes in squares.chunks(*size) {
             for (lane, own) in lanes.iter().enumerate() {
                 let at = squares.iter().position(|square| square == own).unwrap();
                 let sum: u32 = lanes.iter().sum();

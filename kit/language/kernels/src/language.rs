@@ -175,8 +175,8 @@ pub fn keep_positive(
     }
 }
 
-/// `found [4, count]`: an exclusive scan of ones, the last lane's inclusive scan of `values`, the lane that the next lane gives, and the lane
-/// that the neighbor in a pair gives. What each must be is subtracted.
+/// `found [5, count]`: an exclusive scan of ones, the last lane's inclusive scan of `values`, the lane that the next lane gives, and the lane
+/// that the neighbor in a pair gives. What each must be is subtracted. Then how many operations of signed numbers, of bits and of truths are wrong.
 #[kernel(threads(ROW), over(params.count), subgroups)]
 pub fn scan_and_shuffle(
     id: Invocation,
@@ -197,11 +197,29 @@ pub fn scan_and_shuffle(
     let sum = id.subgroup_sum(value);
     let shuffled = id.subgroup_shuffle(lane, next);
     let paired = id.subgroup_shuffle_xor(lane, 1);
+    // of lanes 0 to 31; others have the same bits
+    let bit = 1 << (lane % 32);
+    let all_bits = if lanes < 32 { (1 << lanes) - 1 } else { !0 };
+    let place = lane as i32;
+    let mut wrong = 0;
+    wrong += (id.subgroup_sum(-place) != -((lanes * (lanes - 1) / 2) as i32)) as u32;
+    wrong += (id.subgroup_min(5 - place) != 6 - lanes as i32) as u32;
+    wrong += (id.subgroup_max(-5 - place) != -5) as u32;
+    wrong += (id.subgroup_inclusive_sum(-1) != -1 - place) as u32;
+    wrong += (id.subgroup_shuffle(-place, next) != -(next as i32)) as u32;
+    wrong += (id.subgroup_or(bit) != all_bits) as u32;
+    wrong += (id.subgroup_and(!bit) != !all_bits) as u32;
+    wrong += (id.subgroup_xor(value) ^ id.subgroup_xor(value ^ 6) != lanes % 2 * 6) as u32;
+    wrong += (!id.subgroup_any(lane + 1 == lanes)) as u32;
+    wrong += (id.subgroup_any(lane == lanes)) as u32;
+    wrong += (!id.subgroup_all(lane < lanes)) as u32;
+    wrong += (id.subgroup_all(lane > 0)) as u32;
     if id.index() < params.count {
         found.write(id.index(), before.wrapping_sub(lane));
         found.write(params.count + id.index(), up_to_last.wrapping_sub(sum));
         found.write(2 * params.count + id.index(), shuffled.wrapping_sub(next));
         found.write(3 * params.count + id.index(), paired.wrapping_sub(lane ^ 1));
+        found.write(4 * params.count + id.index(), wrong);
     }
 }
 

@@ -21,7 +21,7 @@ mod validate;
 
 use std::env;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use anyhow::Result;
@@ -66,7 +66,7 @@ impl Project {
     }
 }
 
-/// The whole xtask of a project: `cargo xtask kernels`. The arguments are the crate of kernels, its folder in
+/// The whole xtask of a project: `cargo xtask kernels` and `cargo xtask isa`. The arguments are the crate of kernels, its folder in
 /// the workspace, and fields of [`Project`] that differ from [`Project::from_xtask`]'s.
 ///
 /// ```ignore
@@ -88,18 +88,42 @@ macro_rules! xtask {
 /// The `main` of an [`xtask`].
 #[must_use]
 pub fn main(project: &Project) -> ExitCode {
-    let arguments: Vec<_> = env::args_os().skip(1).collect();
-    if arguments != ["kernels"] {
-        eprintln!("usage: cargo xtask kernels, which compiles the kernels to SPIR-V");
-        return ExitCode::FAILURE;
+    // a process that shows machine code
+    if muslin_isa::answer() {
+        return ExitCode::SUCCESS;
     }
-    match run(project) {
+    let arguments: Vec<_> = env::args().skip(1).collect();
+    let result = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["kernels"] => run(project),
+        ["isa", ref families @ ..] if families.iter().all(|family| !family.starts_with('-')) => {
+            isa(project, if families.is_empty() { &muslin_isa::FAMILIES } else { families })
+        }
+        _ => {
+            eprintln!(
+                "usage: cargo xtask kernels, which compiles the kernels to SPIR-V\n       \
+                 cargo xtask isa [FAMILY..], which shows what Mesa makes of them for AMD GPUs such as {}",
+                muslin_isa::FAMILIES.join(" and ")
+            );
+            return ExitCode::FAILURE;
+        }
+    };
+    match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error:#}");
             ExitCode::FAILURE
         }
     }
+}
+
+/// Prints what RADV makes of a project's compiled kernels, for families of GPUs. It needs none of these.
+fn isa(project: &Project, families: &[&str]) -> Result<()> {
+    let folder = project.root.join(&project.kernels);
+    for family in families {
+        let mut child = Command::new(env::current_exe()?);
+        println!("{}", muslin_isa::compile(&folder, family, &mut child)?);
+    }
+    Ok(())
 }
 
 /// Compiles the kernels of a project, and writes its modules.

@@ -27,8 +27,19 @@ fn translated(spirv: &[u8]) -> std::result::Result<String, String> {
     const LARGEST_IN_HEX: &str = "0x1.fffffep+127f";
     let module = spv::parse_u8_slice(spirv, &spv::Options::default());
     let module = module.map_err(|error| error.to_string())?;
-    let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
-    let info = info.map_err(|error| format!("{:?}", error.into_inner()))?;
+    let validate = |offered| {
+        let info = Validator::new(ValidationFlags::all(), offered).validate(&module);
+        info.map_err(|error| format!("{:?}", error.into_inner()))
+    };
+    // browsers want to be told of subgroups, and naga does not tell them
+    let (info, head) = match validate(Capabilities::empty()) {
+        Ok(info) => (info, ""),
+        Err(error) => match validate(Capabilities::SUBGROUP) {
+            Ok(info) => (info, "enable subgroups;\n\n"),
+            Err(_) => return Err(error),
+        },
+    };
     let text = write_string(&module, &info, WriterFlags::empty());
-    Ok(text.map_err(|error| error.to_string())?.replace(LARGEST, LARGEST_IN_HEX))
+    let text = text.map_err(|error| error.to_string())?;
+    Ok(head.to_owned() + &text.replace(LARGEST, LARGEST_IN_HEX))
 }

@@ -2,7 +2,7 @@
 
 use muslin::kernels;
 use muslin::subgroup::SIZES;
-use muslin_check::Rounding;
+use muslin_check::{Rounding, devices};
 use muslin_device::{Device, DeviceOptions, Modules};
 use muslin_language::{MODULES, cases};
 
@@ -26,5 +26,28 @@ fn kernels_with_subgroups_take_every_size() {
             let found = found.unwrap_or_else(|error| panic!("{options:?}: {error}"));
             assert!(found.values > 0 && found.failures == 0, "{}: {options:?}", case.kernel);
         }
+    }
+}
+
+/// Nothing in the results of these depends on the order of invocations, but the places in a table.
+#[test]
+fn kernels_that_share_memory_pass_the_thorough_device() {
+    for device in [devices::checked(), devices::thorough(1), devices::thorough(8)] {
+        for kernel in ["atomics", "distinct", "sort_rows"] {
+            let all = cases();
+            let case = all.iter().find(|case| case.kernel == kernel).expect("a case");
+            let found = case.compare_with_exact(&device, Rounding::AsWritten);
+            let found = found.unwrap_or_else(|error| panic!("{error}"));
+            assert!(found.values > 0 && found.failures == 0, "{kernel}: {found:?}");
+        }
+    }
+}
+
+/// WGSL has subgroups only where a module says so, and naga does not say it.
+#[test]
+fn browsers_are_told_of_subgroups() {
+    for (kernel, has_subgroups) in [("scan_and_shuffle", true), ("sort_rows", false)] {
+        let module = MODULES.find(kernel).expect("a kernel").to_wgsl().expect("WGSL");
+        assert_eq!(module.starts_with("enable subgroups;"), has_subgroups, "{module}");
     }
 }

@@ -1,6 +1,6 @@
 //! Hyperbolic functions and their inverses, by the polynomials of Cephes where a difference would lose the digits of a small x.
 
-use core::f32::consts::LN_2;
+use core::f32::consts::{LN_2, SQRT_2};
 
 use super::{abs, ln, minus_size, size, sqrt, with_sign_of};
 use crate::lane::Lane;
@@ -50,7 +50,7 @@ pub fn tanh<L: Lane>(x: L) -> L {
 pub fn asinh(x: f32) -> f32 {
     let size = abs(x);
     let z = x * x;
-    let series = (2.012_200_3e-2 * z - 4.269_934e-2) * z + 7.484_758_6e-2;
+    let series = (2.012_200_3e-2 * z - 4.269_934e-2) * z + 7.484_759e-2;
     let series = (series * z - 1.666_628_8e-1) * z;
     let value = if size < 0.5 {
         series * size + size
@@ -68,7 +68,7 @@ pub fn acosh(x: f32) -> f32 {
     let t = super::max(x - 1.0, 0.0);
     let root = sqrt(t);
     let series = (1.759_688_1e-3 * t - 7.527_288_7e-3) * t + 2.645_49e-2;
-    let series = (series * t - 1.178_474_2e-1) * t + 1.414_213_5;
+    let series = (series * t - 1.178_474_2e-1) * t + SQRT_2;
     if t < 0.5 {
         series * root
     } else if t < LARGE {

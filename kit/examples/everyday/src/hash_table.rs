@@ -24,20 +24,13 @@ pub fn occurrences(
     wanted: &Buffer<u32>,
 ) -> Result<Buffer<u32>> {
     let places = places(keys.len());
-    let params = |keys: &Buffer<u32>| TableParams {
-        count: keys.len() as u32,
-        places: places as u32,
-    };
+    let params =
+        |keys: &Buffer<u32>| TableParams { count: keys.len() as u32, places: places as u32 };
     let table = device.zeros("keys of the table", places)?;
     let counts = device.zeros("counts of the table", places)?;
     let lost = device.zeros("lost keys", 1)?;
-    let kernel = HashCountKernel {
-        params: params(keys),
-        keys,
-        table: &table,
-        counts: &counts,
-        lost: &lost,
-    };
+    let kernel =
+        HashCountKernel { params: params(keys), keys, table: &table, counts: &counts, lost: &lost };
     device.run_all(&kernel)?;
     let found = device.unwritten("found", wanted.len())?;
     let kernel = HashFindKernel {

@@ -6,7 +6,8 @@
 pub mod blur;
 pub mod compact;
 pub mod fft;
-// pub mod hash_table;
+pub mod halves;
+pub mod hash_table;
 pub mod histogram;
 pub mod k_means;
 pub mod matrix;

@@ -1,5 +1,7 @@
 //! Each subject on every device, beside ordinary Rust: with no values, one, sizes that no workgroup fits, and many.
 
+use std::collections::HashMap;
+
 use glam::Vec2;
 use muslin_check::{assert_parity, devices, inputs::Random};
 use muslin_device::{Device, DeviceOptions, Modules};
@@ -161,6 +163,42 @@ fn compactions() {
             let exact: Vec<_> = values.iter().copied().filter(|value| *value >= 0.5).collect();
             let values = device.upload("values", &values).unwrap();
             assert!(compact::compact(&device, &values, 0.5).unwrap() == exact, "{name}, {count}");
+        }
+    }
+}
+
+#[test]
+fn hash_tables() {
+    for (name, device) in all() {
+        for count in COUNTS {
+            let mut random = Random::new(7);
+            let keys: Vec<_> = (0..count).map(|_| 1 + random.below(500)).collect();
+            let mut exact = HashMap::new();
+            keys.iter().for_each(|key| *exact.entry(*key).or_insert(0) += 1);
+            let wanted: Vec<u32> = (1..700).collect();
+            let exact = wanted.iter().map(|key| exact.get(key).copied().unwrap_or(0));
+            let exact: Vec<u32> = exact.collect();
+            let [keys, wanted] = [keys, wanted].map(|all| device.upload("keys", &all).unwrap());
+            let found = hash_table::occurrences(&device, &keys, &wanted).unwrap();
+            assert!(device.read(&found).unwrap() == exact, "{name}, {count}");
+        }
+    }
+}
+
+#[test]
+fn halves_of_numbers() {
+    for (name, device) in all() {
+        let values = Random::new(10).values(2000, -100.0, 100.0);
+        let pairs: Vec<_> = values.chunks(2).map(Vec2::from_slice).collect();
+        let halves = halves::pack(&device, &device.upload("numbers", &pairs).unwrap()).unwrap();
+        let sums = device.upload("sums", &vec![Vec2::ZERO; 1000]).unwrap();
+        halves::add(&device, &halves, &sums).unwrap();
+        // a half of 2^(e - 1) to 2^e is off by 2^(e - 12) at most
+        for (sum, pair) in device.read(&sums).unwrap().iter().zip(&pairs) {
+            assert!(
+                (*sum - *pair).abs().cmple(pair.abs() / 2048.0).all(),
+                "{name}: {sum} of {pair}"
+            );
         }
     }
 }

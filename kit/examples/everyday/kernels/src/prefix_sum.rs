@@ -103,9 +103,9 @@ pub fn prefix_look_back(
     }
     if own == 0 && index < params.count {
         let all = part.read(BLOCK - 1);
-        state.atomic_max(number, OWN + all);
+        state.atomic_store(number, OWN + all);
         let before = look_back(number, values, state);
-        state.atomic_max(number, ALL + before + all);
+        state.atomic_store(number, ALL + before + all);
         block.write(1, before);
     }
     id.barrier();

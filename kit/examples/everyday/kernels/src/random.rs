@@ -1,6 +1,6 @@
 //! Random numbers without a state: each is a function of its number.
 
-use muslin::prelude::*;
+use muslin::{math, prelude::*};
 
 /// Parameters of the kernels of this file.
 #[params]
@@ -34,15 +34,6 @@ pub fn random_pcg(id: Invocation, params: &RandomParams, numbers: Write<f32>) {
     }
 }
 
-/// The upper 32 bits of a product.
-#[inline(always)]
-fn multiply_high(a: u32, b: u32) -> u32 {
-    let low = (a & 0xffff) * (b & 0xffff);
-    let middle = (a >> 16) * (b & 0xffff) + (low >> 16);
-    let other = (a & 0xffff) * (b >> 16) + (middle & 0xffff);
-    (a >> 16) * (b >> 16) + (middle >> 16) + (other >> 16)
-}
-
 /// Four words by Philox 4x32-10 (Salmon et al. 2011), of a counter and a key.
 #[loops]
 #[inline(always)]
@@ -51,9 +42,9 @@ pub fn philox(counter: UVec4, key: UVec2) -> UVec4 {
     let mut key = key;
     let mut round = 0;
     while round < 10 {
-        let high_0 = multiply_high(0xd251_1f53, words.x);
+        let high_0 = math::multiply_high(0xd251_1f53, words.x);
         let low_0 = words.x.wrapping_mul(0xd251_1f53);
-        let high_1 = multiply_high(0xcd9e_8d57, words.z);
+        let high_1 = math::multiply_high(0xcd9e_8d57, words.z);
         let low_1 = words.z.wrapping_mul(0xcd9e_8d57);
         words = UVec4::new(high_1 ^ words.y ^ key.x, low_1, high_0 ^ words.w ^ key.y, low_0);
         key.x = key.x.wrapping_add(0x9e37_79b9);

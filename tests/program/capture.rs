@@ -768,13 +768,15 @@ fn photographs_are_found_in_the_folders_of_a_camera() {
     // Beside others, they may be edited or small ones.
     write_photo(&sandbox, "photos/edited/small.png", [4, 3], 0);
     sandbox.write("photos/12.heic", "HEIC");
+    write_photo(&sandbox, "photos/03.png.mask.png", [8, 6], 0);
     write_model(&sandbox, "found-1/0", &walk(photos(12)), 0.7, 20);
     sandbox.shell("mkdir set && cp -r photos set/images && cp -r photos set/masks").assert_ok();
     capture(&sandbox, "set -o set-data")
         .assert_ok()
         .says(&["of set/images, and of no folder beside", "12 of 12"]);
     capture(&sandbox, "photos -o other").assert_ok().says(&[
-        "not taking 1 photograph as HEIC; convert",
+        "not taking 1 photograph: HEIC, TIFF, AVIF",
+        "masks are not used, such as photos/03.png.mask.png",
         "not taking 1 photograph of folders within, such as photos/edited/small.png",
         "12 of 12",
     ]);

@@ -30,12 +30,15 @@ const COPIES: u64 = 3;
 const DEFLATE_RATIO: u64 = 1032;
 /// Part of the free memory that decoding may take. Threads and the allocator need some, too.
 const PART: f64 = 0.75;
+/// Shortest side that may be a pixel off its camera's.
+const MIN_NEAR: u32 = 32;
 /// Quality of JPEG photographs that are turned, out of 100.
 const QUALITY: u8 = 98;
 
 /// A decoded photograph, in the format of its file.
 pub(super) struct Decoded {
     width: u32,
+    height: u32,
     color: ColorType,
     pixel_bytes: usize,
     /// Pixels row by row, with interleaved channels.
@@ -83,7 +86,10 @@ pub(super) fn at_once(
     }
     if needed > budget {
         let [width, height] = expected;
-        let what = format!("decoding {} ({width} x {height} pixels)", path.display());
+        let what = format!(
+            "decoding {} ({width} x {height} pixels; smaller ones in `images_4` are read with `--downscale 4`)",
+            path.display()
+        );
         return Err(DeviceError::OutOfMemory { needed, available: Some(budget), what }.into());
     }
     Ok(budget / needed)
@@ -169,12 +175,15 @@ pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path, what: &str) 
     let is_jpeg = reader.format() == Some(ImageFormat::Jpeg);
     let decoder = reader.into_decoder().map_err(|error| broken(path, &error))?;
     let (width, height) = decoder.dimensions();
-    if [width, height] != expected {
-        return wrong_size(path, what, [width, height], expected);
+    let size = [width, height];
+    // some programs remove lens distortion, and round sides otherwise than in their cameras
+    let is_near = |(side, of): (&u32, u32)| side.abs_diff(of) <= u32::from(of >= MIN_NEAR);
+    if !size.iter().zip(expected).all(is_near) {
+        return wrong_size(path, what, size, expected);
     }
     // The decoder silently fills missing parts of a JPEG with gray.
     let is_whole = !is_jpeg || has_jpeg_end(bytes);
-    if !is_whole || (bytes.len() as u64) < fewest_bytes(is_jpeg, expected) {
+    if !is_whole || (bytes.len() as u64) < fewest_bytes(is_jpeg, size) {
         return invalid(path, format!("the {what} was cut short; copy it again"));
     }
     if !is_jpeg && !has_whole_palette(bytes) {
@@ -191,10 +200,15 @@ pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path, what: &str) 
     let mut pixels = memory::zeros::<u8>(length, "a photograph")?;
     decoder.read_image(&mut pixels).map_err(|error| broken(path, &error))?;
     let pixel_bytes = usize::from(color.bytes_per_pixel());
-    Ok(Decoded { width, color, pixel_bytes, bytes: pixels })
+    Ok(Decoded { width, height, color, pixel_bytes, bytes: pixels })
 }
 
 impl Decoded {
+    /// Width and height, each of which may be a pixel off the expected one.
+    pub fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
     /// Whether the photograph has an alpha channel.
     pub fn has_alpha(&self) -> bool {
         self.color.has_alpha()
@@ -207,6 +221,11 @@ impl Decoded {
             ColorType::Rgb8 => Some(self.bytes.as_chunks().0.to_vec()),
             _ => None,
         }
+    }
+
+    /// Red, green, blue and alpha of all pixels, row by row.
+    pub fn texels(&self) -> impl Iterator<Item = [f32; 4]> {
+        (0..self.height).flat_map(move |y| (0..self.width).map(move |x| self.rgba(x, y)))
     }
 
     /// Red, green, blue and alpha of column `x` and row `y`, from 0 to 1.
@@ -242,8 +261,8 @@ fn is_read(color: ColorType) -> bool {
 
 fn broken(path: &Path, error: &ImageError) -> Error {
     let reason = format!(
-        "the photograph cannot be decoded ({error}); JPEG and PNG are read: convert it, or copy it \
-         again where it is damaged"
+        "the photograph cannot be decoded ({error}); JPEG and PNG are read, and TIFF, AVIF and DNG are not: convert it, or copy \
+         it again where it is damaged"
     );
     Error::Invalid { origin: path.to_owned(), reason }
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::fingerprint::Digest;
 use super::lens::{Lens, Projection, Undistortion};
-use super::{Alpha, DatasetOptions, Frame, Photograph, decode};
+use super::{Alpha, DatasetOptions, Frame, Photograph, decode, masks};
 use organza_core::error::invalid;
 use organza_core::image::to_8_bit;
 use organza_core::input::read_file;
@@ -19,7 +19,7 @@ pub(super) struct Shot {
     pub name: String,
     /// Path of the file that was found.
     pub path: PathBuf,
-    /// Path of its mask, if it has one. Black pixels of the mask are not used.
+    /// Path of its mask, if it has one.
     pub mask: Option<PathBuf>,
     /// The camera of the whole photograph, or of the view that is cut from it.
     pub camera: Camera,
@@ -49,12 +49,12 @@ impl Shot {
         decode::at_once(&self.path, self.mask.as_deref(), self.size(), budget)
     }
 
-    /// Reads the photograph. The digest covers its file and its mask.
+    /// Reads the photograph.
     ///
     /// # Errors
     /// [`organza_core::Error::ReadFile`]; [`organza_core::Error::Invalid`] if the photograph or its mask cannot be decoded or has
     /// another size than the camera, or if the lens leaves no pixel.
-    pub fn develop(&self, options: &DatasetOptions) -> Result<(Frame, Digest)> {
+    pub fn develop(&self, options: &DatasetOptions) -> Result<Developed> {
         let [width, height] = self.size();
         let camera = self.smaller_camera()?;
         let bytes = read_file(&self.path, u64::MAX, "a photograph")?;
@@ -67,6 +67,7 @@ impl Shot {
         }
         let decoded = decode::decode(&bytes, [width, height], &self.path, decode::PHOTOGRAPH)?;
         let alpha_hides = options.alpha == Alpha::Mask && decoded.has_alpha();
+        let is_masked = mask.as_ref().is_some_and(|mask| mask.used.contains(&false));
         let is_used = |x: u32, y: u32, alpha: f32| {
             let is_hidden = |mask: &Mask| !mask.used[(y * width + x) as usize];
             !(alpha_hides && alpha < 0.5 || mask.as_ref().is_some_and(is_hidden))
@@ -77,13 +78,17 @@ impl Shot {
             let [r, g, b] = background;
             [over(red, r), over(green, g), over(blue, b), alpha]
         };
+        let is_off = decoded.size() != [width, height];
         let texel = |x, y| {
+            if is_off && (x >= decoded.size()[0] || y >= decoded.size()[1]) {
+                return None;
+            }
             let color = decoded.rgba(x, y);
             is_used(x, y, color[3]).then(|| {
                 if alpha_hides { [color[0], color[1], color[2], 1.0] } else { over(color) }
             })
         };
-        let is_whole = self.lens.is_pinhole() && mask.is_none() && !alpha_hides;
+        let is_whole = self.lens.is_pinhole() && mask.is_none() && !alpha_hides && !is_off;
         // copy it, if resampling would not change it
         let copied = (is_whole && self.factor == 1).then(|| decoded.colors()).flatten();
         let image = match copied {
@@ -95,7 +100,8 @@ impl Shot {
             let reason = "the lens's coefficients leave no pixel of the photograph; check them";
             return invalid(&self.path, reason);
         }
-        Ok((Frame { name: self.name.clone(), camera, image }, digest))
+        let frame = Frame { name: self.name.clone(), camera, image };
+        Ok(Developed { frame, digest, is_masked, is_off })
     }
 
     /// The camera of the undistorted and downscaled photograph.
@@ -118,10 +124,11 @@ impl Shot {
         let decoded = decode::decode(&file, size, path, decode::MASK)?;
         let count = size[0] as usize * size[1] as usize;
         let mut used = memory::zeros::<bool>(count, "a photograph's mask")?;
-        for (index, used) in used.iter_mut().enumerate() {
-            let [red, green, blue, _] =
-                decoded.rgba(index as u32 % size[0], index as u32 / size[0]);
-            *used = red.max(green).max(blue) > 0.0;
+        let across = decoded.size()[0] as usize;
+        let rows = used.chunks_mut(size[0] as usize).enumerate();
+        let all: Vec<_> = masks::used(&decoded, path).collect();
+        for (y, row) in rows.take(decoded.size()[1] as usize) {
+            row.iter_mut().zip(&all[y * across..][..across]).for_each(|(used, is)| *used = *is);
         }
         Ok(Mask { file, used })
     }
@@ -173,6 +180,17 @@ impl Shot {
         }
         Photograph::new([width, height], pixels, (!is_whole).then_some(valid))?.with_alpha(alpha)
     }
+}
+
+/// A photograph that was read.
+pub(super) struct Developed {
+    pub frame: Frame,
+    /// Of the photograph's file and its mask.
+    pub digest: Digest,
+    /// Whether its mask hides something.
+    pub is_masked: bool,
+    /// Whether it is a pixel larger or smaller than its camera's image. What is missing is not valid.
+    pub is_off: bool,
 }
 
 /// A mask's file, and whether each pixel of the photograph is used, row by row.

@@ -7,12 +7,12 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
+use super::masks::{self, mask_of};
 use organza_core::Result;
 use organza_core::input::has_extension;
 
 /// Name of the folder of photographs. `masks`, `images_2` and so on are beside it.
-const IMAGES: &str = "images";
-pub(super) const MASKS: &str = "masks";
+pub(super) const IMAGES: &str = "images";
 /// Most tails of a photograph's path that are tried: a path may have any length.
 const DEEPEST: usize = 32;
 /// Most files that are named as not used.
@@ -45,15 +45,18 @@ pub(super) fn photograph(
     let names = [name.to_owned(), name.replace('\\', "/")];
     let paths = || names.iter().flat_map(|name| tails(Path::new(name)));
     if downscale > 1 {
-        let [images, masks] = [IMAGES, MASKS].map(|whole| format!("{whole}_{downscale}"));
+        let suffix = format!("_{downscale}");
+        let images = format!("{IMAGES}{suffix}");
         let mut smaller = paths().filter_map(|path| sibling(&path, IMAGES, &images));
         if let Some(path) = smaller.find_map(|path| with_extension(folder, &path)) {
-            let smaller = |mask: &str| sibling(Path::new(&mask.replace('\\', "/")), MASKS, &masks);
-            let name = mask.and_then(smaller);
-            let name = name.as_ref().and_then(|name| name.to_str());
-            let found = mask_of(folder, &path, name, &images, &masks);
+            let smaller = |mask: &str| {
+                let mask = mask.replace('\\', "/");
+                let by = |masks: &&str| sibling(mask.as_ref(), masks, &format!("{masks}{suffix}"));
+                Some(named(folder, masks::FOLDERS.iter().find_map(by)?.to_str()?))
+            };
+            let found = mask.and_then(smaller).or_else(|| mask_of(folder, &path, &suffix));
             let whole = sibling(&path, &images, IMAGES);
-            let whole_mask = whole.and_then(|whole| mask_of(folder, &whole, None, IMAGES, MASKS));
+            let whole_mask = whole.and_then(|whole| mask_of(folder, &whole, ""));
             // Without a mask, the smaller photograph would show what the mask hides.
             if found.is_some() || (mask.is_none() && whole_mask.is_none()) {
                 return Ok(PhotographFile { path: folder.join(path), prepared: true, mask: found });
@@ -62,7 +65,10 @@ pub(super) fn photograph(
     }
     match paths().find_map(|path| with_extension(folder, &path)) {
         Some(path) => {
-            let mask = mask_of(folder, &path, mask, IMAGES, MASKS);
+            let mask = match mask {
+                Some(mask) => Some(named(folder, mask)),
+                None => mask_of(folder, &path, ""),
+            };
             Ok(PhotographFile { path: folder.join(path), prepared: false, mask })
         }
         None => Err(folder.join(name)),
@@ -111,7 +117,7 @@ fn tails(path: &Path) -> Vec<PathBuf> {
 }
 
 /// The path with one of its folders replaced; `None` if it has no such folder.
-fn sibling(path: &Path, folder: &str, by: &str) -> Option<PathBuf> {
+pub(super) fn sibling(path: &Path, folder: &str, by: &str) -> Option<PathBuf> {
     let at = path.parent()?.components().position(|part| part.as_os_str() == folder)?;
     let replace = |(index, part): (usize, Component<'_>)| match index == at {
         true => OsStr::new(by).to_owned(),
@@ -138,23 +144,6 @@ pub(super) fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
 }
 
 /// Whether there is something to read. If it is a pipe or a device, reading it reports that.
-fn is_there(path: &Path) -> bool {
+pub(super) fn is_there(path: &Path) -> bool {
     path.exists() && !path.is_dir()
-}
-
-/// The mask of a photograph: the mask that the data set names, or `masks/NAME.png` for `images/NAME`, as in COLMAP, or the
-/// same with the photograph's extension replaced.
-fn mask_of(
-    folder: &Path,
-    photograph: &Path,
-    name: Option<&str>,
-    images: &str,
-    masks: &str,
-) -> Option<PathBuf> {
-    if let Some(name) = name {
-        return Some(named(folder, name));
-    }
-    let beside = sibling(photograph, images, masks)?;
-    let candidates = [beside.with_added_extension("png"), beside.with_extension("png"), beside];
-    candidates.into_iter().map(|path| folder.join(path)).find(|path| is_there(path))
 }

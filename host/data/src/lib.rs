@@ -10,6 +10,7 @@ mod fingerprint;
 pub mod fuzz;
 mod gains;
 mod lens;
+pub mod masks;
 mod options;
 pub mod panorama;
 mod photograph;
@@ -38,7 +39,7 @@ pub use options::{Alpha, Background, DatasetOptions};
 #[cfg(doc)]
 use organza_core::error::Error;
 use organza_core::error::invalid;
-use organza_core::input::has_extension;
+use organza_core::input::{has_extension, read_json};
 use organza_core::scene::Placement;
 use organza_core::{Camera, Result};
 pub use photograph::{DatasetKind, Frame, Photograph, Point};
@@ -87,7 +88,7 @@ pub struct Dataset {
     pub points_file: Option<PathBuf>,
     /// Photographs of the data set that do not exist as files. Their frames are left out.
     pub missing: Vec<PathBuf>,
-    /// Number of frames with a mask: a file beside the photograph.
+    /// Number of frames of which a mask hides something.
     pub masked: usize,
     /// Number of photographs that were smaller already, in a folder such as `images_2`.
     pub prepared: usize,
@@ -265,6 +266,24 @@ fn list(poses: &mut Poses) -> Result<()> {
     }
 }
 
+/// The photographs in a folder that can be read, by their names.
+fn photographs(folder: &Path) -> impl Iterator<Item = PathBuf> {
+    let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|file| file.path());
+    files.filter(|path| has_extension(path, &["jpg", "jpeg", "png"]))
+}
+
+/// Whether a file's name has the ending of a photograph that is not read.
+pub fn is_unread(path: &Path) -> bool {
+    const UNREAD: [&str; 14] = [
+        "heic", "heif", "tif", "tiff", "avif", "dng", "cr2", "cr3", "nef", "arw", "raf", "orf",
+        "rw2", "webp",
+    ];
+    has_extension(path, &UNREAD)
+}
+
+/// What to do with files that are [not read](is_unread).
+pub const CONVERT: &str = "HEIC, TIFF, AVIF, WebP, and DNG and other raw files are not read: convert them to JPEG or PNG first";
+
 /// Whether a file's name has a video's ending.
 pub fn is_video(path: &Path) -> bool {
     has_extension(path, &["3gp", "avi", "m2ts", "m4v", "mkv", "mov", "mp4", "mts", "webm"])
@@ -275,13 +294,18 @@ fn hint(path: &Path, missing: Option<&Path>) -> Option<String> {
     let path = if path.is_dir() { path } else { path.parent()? };
     let mut folders: Vec<_> =
         fs::read_dir(path).ok()?.flatten().map(|entry| entry.path()).collect();
-    folders.retain(|path| path.is_dir());
     folders.sort();
+    let (folders, files): (Vec<_>, Vec<_>) = folders.into_iter().partition(|path| path.is_dir());
     if let Some(missing) = missing {
         let name = |path: &Path| path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
         let factor = |path: &PathBuf| name(path)?.strip_prefix("images_")?.parse::<u32>().ok();
         if let Some(factor) = folders.iter().find_map(factor) {
             return Some(format!("; images_{factor} is there: use it with `--downscale {factor}`"));
+        }
+        let beside = fs::read_dir(missing.parent()?).into_iter().flatten().flatten();
+        let is_it = |file: &PathBuf| is_unread(file) && file.file_stem() == missing.file_stem();
+        if let Some(unread) = beside.map(|file| file.path()).find(is_it) {
+            return Some(format!("; {} is there, and {CONVERT}", unread.display()));
         }
         // files written on Windows have backslashes
         let missing = PathBuf::from(missing.to_string_lossy().replace('\\', "/"));
@@ -301,12 +325,9 @@ fn hint(path: &Path, missing: Option<&Path>) -> Option<String> {
             ));
         }
     }
-    let photographs = |folder: &PathBuf| {
-        let mut files = fs::read_dir(folder).into_iter().flatten().flatten();
-        files.any(|file| has_extension(&file.path(), &["jpg", "jpeg", "png"]))
-    };
-    let named = [path.to_owned(), path.join("images")].into_iter().find(photographs);
-    let named = named.or_else(|| folders.iter().any(photographs).then(|| path.to_owned()));
+    let has_photographs = |folder: &PathBuf| photographs(folder).next().is_some();
+    let named = [path.to_owned(), path.join("images")].into_iter().find(has_photographs);
+    let named = named.or_else(|| folders.iter().any(has_photographs).then(|| path.to_owned()));
     let capture = named.map(|folder| {
         let folder = folder.display();
         format!("; `organza capture {folder} -o NEW` finds the poses of photographs")
@@ -315,12 +336,30 @@ fn hint(path: &Path, missing: Option<&Path>) -> Option<String> {
         let capture = capture.unwrap_or_default();
         return Some(format!("; the poses of LLFF, {LLFF}, are not read{capture}"));
     }
+    if let Some(file) = files.iter().find(|file| is_record3d(file)) {
+        return Some(format!(
+            "; the poses of Record3D, {}, are not read: nerfstudio's `ns-process-data record3d` makes a data set of them",
+            file.display()
+        ));
+    }
     let dense = ["dense/0", "dense"].map(|name| path.join(name));
     let mut nested = dense.into_iter().chain(folders);
     match nested.find(|folder| Layout::detect(folder).is_some()) {
         Some(nested) => Some(format!("; {} is a data set", nested.display())),
-        None => capture,
+        None => capture.or_else(|| {
+            if let Some(video) = files.iter().find(|file| is_video(file)) {
+                let video = video.display();
+                return Some(format!("; this folder has a video: `organza train {video} -o NEW`"));
+            }
+            files.iter().any(|file| is_unread(file)).then(|| format!("; {CONVERT}"))
+        }),
     }
+}
+
+/// Whether a file has the poses of Record3D, of which an export has no cameras that are read.
+fn is_record3d(file: &Path) -> bool {
+    let is_named = file.file_name().is_some_and(|name| name == "metadata.json");
+    is_named && read_json(file).is_ok_and(|json| json.get("poses").is_some())
 }
 
 /// The folder of the data set that a path names. The folder of its photographs names it, too.

@@ -1,5 +1,6 @@
 //! A data set before its photographs are read: the photographs' paths, and their cameras.
 
+use std::collections::{BTreeSet, HashSet};
 use std::fs;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
@@ -7,11 +8,13 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::find::{self, PhotographFile};
+use super::develop::Developed;
+use super::find::PhotographFile;
 use super::lens::{Lens, Projection};
 use super::{
     Alpha, Background, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout, Shot,
-    bytes_of, decode, develop, folder_of, hint, list, own_point, panorama, repeated,
+    bytes_of, decode, develop, folder_of, hint, list, masks, own_point, panorama, photographs,
+    repeated,
 };
 use organza_core::error::invalid;
 use organza_core::memory;
@@ -32,6 +35,8 @@ pub struct Poses {
     pub(super) options: DatasetOptions,
     /// The data set's folder, without links.
     folder: PathBuf,
+    /// Photographs of frames that the data set calls bad, which are left out.
+    pub(super) bad: Vec<PathBuf>,
     /// Whether frames were left out on purpose, so that there may be none to train on.
     is_part: bool,
 }
@@ -67,6 +72,15 @@ impl Poses {
         }
         poses.dataset.notes.extend(poses.unlikely_lens());
         poses.dataset.notes.extend(poses.unused_masks());
+        poses.dataset.notes.extend(poses.without_camera());
+        if let Some(first) = poses.bad.first() {
+            let bad = poses.bad.len();
+            let first = first.display();
+            let note = format!(
+                "frames that the data set calls `is_bad` are left out: {bad}, such as {first}"
+            );
+            poses.dataset.notes.push(note);
+        }
         let path = &poses.dataset.path;
         if let ([], [first, ..]) = (&*poses.shots, &*poses.dataset.missing) {
             let all = poses.dataset.missing.len();
@@ -175,18 +189,34 @@ impl Poses {
     /// A note if there are masks, but none for any photograph.
     fn unused_masks(&self) -> Option<String> {
         let path = &self.dataset.path;
-        let folder = if path.is_dir() { path } else { path.parent()? }.join(find::MASKS);
-        let first = self.shots.first()?;
-        let is_empty = fs::read_dir(&folder).ok()?.next().is_none();
-        if is_empty || self.shots.iter().any(|shot| shot.mask.is_some()) {
+        let root = if path.is_dir() { path } else { path.parent()? };
+        let has_none = self.shots.iter().all(|shot| shot.mask.is_none());
+        masks::unused(root, &self.shots.first().filter(|_| has_none)?.path)
+    }
+
+    /// A note of photographs that lie beside those with a camera, and have none.
+    fn without_camera(&self) -> Option<String> {
+        if !matches!(self.dataset.kind, DatasetKind::Nerfstudio | DatasetKind::Colmap) {
             return None;
         }
-        let name = first.path.file_name()?.to_string_lossy();
+        let paths = self.shots.iter().map(|shot| &*shot.path);
+        let known: HashSet<_> = paths.chain(self.bad.iter().map(PathBuf::as_path)).collect();
+        let folders: BTreeSet<_> = known.iter().filter_map(|path| path.parent()).collect();
+        let mut all = 0;
+        let mut others = Vec::new();
+        for folder in folders {
+            let beside: Vec<_> = photographs(folder).collect();
+            all += beside.len();
+            let is_mask = |file: &Path| masks::is_mask(file, beside.iter().map(PathBuf::as_path));
+            others.extend(
+                beside.iter().filter(|file| !known.contains(&***file) && !is_mask(file)).cloned(),
+            );
+        }
+        others.sort();
+        let first = others.first()?.display();
         Some(format!(
-            "no file in {} is the mask of a photograph, so none is used; the mask of {} would be {name}.png, in the same \
-             folders as in `images`, or named by the data set",
-            folder.display(),
-            first.path.display()
+            "{} of {all} photographs have no camera in the data set, such as {first}: they are not used",
+            others.len()
         ))
     }
 
@@ -268,7 +298,7 @@ impl Poses {
     pub fn photograph(&self, index: usize) -> Result<Option<Frame>> {
         let Some(shot) = self.shots.get(index) else { return Ok(None) };
         shot.at_once(decode::budget(0))?;
-        shot.develop(&self.options).map(|(frame, _)| Some(frame))
+        shot.develop(&self.options).map(|developed| Some(developed.frame))
     }
 
     /// Reads the photographs. Calls `progress` with the number of finished photographs and of all photographs. The first
@@ -281,7 +311,7 @@ impl Poses {
         let count = shots.len();
         let bytes = bytes_of(&shots);
         // checked before hours of reading
-        memory::check(bytes, "the photographs (a larger downscale makes them smaller)")?;
+        memory::check(bytes, "the photographs (a larger `--downscale` makes them smaller)")?;
         let budget = decode::budget(bytes);
         let mut together = count.max(1);
         for shot in &shots {
@@ -298,11 +328,14 @@ impl Poses {
             Ok(developed)
         };
         let mut digests = Vec::with_capacity(count);
+        let mut off = Vec::new();
         for shots in shots.chunks(together) {
             let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
-            for (frame, digest) in developed {
+            for Developed { frame, digest, is_masked, is_off } in developed {
+                off.extend(is_off.then_some(dataset.frames.len()));
                 dataset.frames.push(frame);
                 digests.push(digest);
+                dataset.masked += usize::from(is_masked);
             }
         }
         let seen = (0..count).filter(|&index| !dataset.frames[index].image.is_hidden());
@@ -313,14 +346,28 @@ impl Poses {
                     "every photograph that is there is held out ({count}), so none is left to train on; add \
                      photographs, or hold none out"
                 ),
-                false => "nothing is left to train on: masks or alpha hide each photograph whole; a mask is black where it \
-                          hides"
+                false => "nothing is left to train on: masks or alpha hide each photograph whole; a mask is black, or darker than \
+                          half of white, where it hides"
                     .to_owned(),
             };
             return invalid(&dataset.path, reason);
         }
         dataset.notes.extend(hidden(&shots, &dataset.frames));
-        dataset.masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
+        if let Some(first) = off.first() {
+            dataset.notes.push(format!(
+                "{} of {count} photographs are a pixel larger or smaller than their cameras' images, such as {}: what is too \
+                 much is cut off at the right and lower edges, and what is missing does not count",
+                off.len(),
+                shots[*first].path.display()
+            ));
+        }
+        let mask = shots.iter().find_map(|shot| shot.mask.as_ref());
+        if let Some(mask) = mask.filter(|_| dataset.masked == 0) {
+            dataset.notes.push(format!(
+                "no mask hides anything, such as {}; a mask is darker than half of white where it hides",
+                mask.display()
+            ));
+        }
         dataset.fingerprint = dataset.fingerprint.with_photographs(&digests);
         dataset.notes.extend(repeated(&shots, &digests));
         dataset.background = options.background.color().map(f64::from);

@@ -106,6 +106,11 @@ pub(super) fn add_frames(
 ) -> Result<()> {
     for (index, frame) in frames(file, path)?.iter().enumerate() {
         let name = name(frame).map_err(|reason| camera_error(path, index, reason))?;
+        if frame["is_bad"] == true {
+            let found = (photographs.find)(folder(path), name, None, 1);
+            poses.bad.push(found.map_or_else(|expected| expected, |found| found.path));
+            continue;
+        }
         let mask = mask(frame).map_err(|reason| camera_error(path, index, reason))?;
         let mut source = Source { file, frame, size: None };
         let has_size = source.get("w").is_some() && source.get("h").is_some();

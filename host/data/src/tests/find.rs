@@ -121,6 +121,83 @@ fn masked_pixels_are_not_valid() {
     assert_refused(folder.path(), &["masks/1.png.png", "5 x 4"]);
 }
 
+/// What programs call the mask of `images/sub/a.jpg`, and what it is not.
+#[test]
+fn masks_are_found_by_the_names_of_all_programs() {
+    for (name, is_mask) in [
+        ("masks/sub/a.jpg.png", true),
+        ("masks/sub/a.png", true),
+        ("masks/sub/a.jpg", true),
+        ("masks/sub/a.JPG", true),
+        ("masks/sub/a_mask.png", true),
+        ("mask/sub/a.jpg.mask.png", true),
+        (".mask/sub/a.png", true),
+        ("images/sub/a.jpg.mask.png", true),
+        ("images/sub/a.mask.jpeg", true),
+        ("images/sub/a_mask.PNG", true),
+        ("images/sub/dynamic_mask_a.png", true),
+        ("masks/a.png", false),
+        ("masks/sub/ab.png", false),
+        ("masks_2/sub/a.png", false),
+        ("images/sub/a.png", false),
+        ("images/sub/a.jpg.texture.png", false),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(name);
+        write_image(&path, [1, 1], [0; 3]);
+        let found = masks::mask_of(folder.path(), Path::new("images/sub/a.jpg"), "");
+        assert_eq!(found, is_mask.then_some(path.clone()), "{name}");
+        let photographs = ["a.jpg", "ab.jpg"].map(Path::new);
+        let is_beside = is_mask && name.starts_with("images/");
+        let name_says =
+            name.starts_with("images/") && masks::is_mask(&path, photographs.into_iter());
+        assert_eq!(name_says, is_beside, "{name}");
+    }
+}
+
+/// Gray levels with alpha, and whether each hides: 0 and 255, a label, a matte, JPEG's noise, alpha, black paint.
+#[test]
+fn masks_hide_below_half_of_their_white() {
+    let opaque = |levels: &[u8]| levels.iter().map(|&level| [level, 255]).collect::<Vec<_>>();
+    let cases = [
+        ("a.png", opaque(&[0, 127, 128, 255]), "##.."),
+        ("a.png", opaque(&[0, 1, 1, 0]), "#..#"),
+        ("a.png", opaque(&[0, 38, 38, 0]), "#..#"),
+        ("a.png", opaque(&[3, 255, 3, 255]), "#.#."),
+        ("a.png", opaque(&[1, 1]), ".."),
+        ("a.png", opaque(&[0, 0]), "##"),
+        ("a.png", opaque(&[29, 0, 226, 255]), "##.."),
+        ("a.png", vec![[255, 0], [255, 255], [255, 3]], "#.#"),
+        ("a.png", vec![[0, 0], [9, 255], [200, 255]], "#.."),
+        ("a.png", vec![[0, 255], [0, 0]], "#."),
+        ("dynamic_mask_a.png", opaque(&[0, 255, 255]), ".##"),
+        ("dynamic_mask_a.png", opaque(&[0, 0]), ".."),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    for (name, levels, expected) in cases {
+        let path = folder.path().join(name);
+        let size = [levels.len() as u32, 1];
+        let pixel = |x: u32, _| image::LumaA(levels[x as usize]);
+        image::GrayAlphaImage::from_fn(size[0], 1, pixel).save(&path).unwrap();
+        let bytes = fs::read(&path).unwrap();
+        let mask = decode::decode(&bytes, size, &path, decode::MASK).unwrap();
+        let found: String =
+            masks::used(&mask, &path).map(|used| if used { '.' } else { '#' }).collect();
+        assert_eq!(found, expected, "{levels:?}");
+    }
+}
+
+#[test]
+fn masks_that_hide_nothing_or_fit_nothing_are_noted() {
+    let folder = nerfstudio_folder(&transforms(3));
+    let notes = || load(folder.path()).unwrap().notes;
+    write_image(&folder.path().join("masks/9.png"), [6, 4], [0; 3]);
+    assert!(notes()[0].contains("no file in"), "{:?}", notes());
+    write_image(&folder.path().join("masks/1.png"), [6, 4], [254; 3]);
+    assert!(notes()[0].contains("no mask hides anything, such as"), "{:?}", notes());
+    assert_eq!(load(folder.path()).unwrap().masked, 0);
+}
+
 /// The user meant a mask: a photograph without one would show what it hides.
 #[cfg(unix)]
 #[test]
@@ -199,6 +276,25 @@ fn photographs_in_another_folder_are_named() {
     fs::remove_file(root.join("transforms.json")).unwrap();
     fs::write(root.join("poses_bounds.npy"), "").unwrap();
     assert_refused(root, &["LLFF", "poses_bounds.npy", "organza capture"]);
+}
+
+/// What a folder has that is no data set, and what to do with it.
+#[test]
+fn other_sources_are_pointed_to() {
+    for (name, content, facts) in [
+        ("walk.MOV", "", ["this folder has a video", "walk.MOV -o NEW"]),
+        ("metadata.json", r#"{"poses": []}"#, ["Record3D", "ns-process-data record3d"]),
+        ("metadata.json", r#"{"a": 1}"#, ["no data set", "transforms.json"]),
+        ("a.tiff", "", ["no data set", "TIFF, AVIF"]),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join(name), content).unwrap();
+        assert_refused(folder.path(), &facts);
+    }
+    let folder = nerfstudio_folder(&transforms(1));
+    let image = folder.path().join("images/0.png");
+    fs::rename(&image, image.with_extension("tif")).unwrap();
+    assert_refused(folder.path(), &["images/0.tif is there", "convert them to JPEG or PNG"]);
 }
 
 #[test]

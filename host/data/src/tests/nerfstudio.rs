@@ -38,12 +38,34 @@ fn paths_may_lack_an_extension_or_come_from_windows() {
     file["frames"][0]["file_path"] = json!("./images/0");
     file["frames"][1]["file_path"] = json!("images\\1.png");
     file["frames"][1]["mask_path"] = json!("hidden\\1.png");
-    write_image(&folder.path().join("hidden/1.png"), [6, 4], [255; 3]);
+    fs::create_dir(folder.path().join("hidden")).unwrap();
+    let pixel = |x: u32, _| image::Luma([if x == 5 { 0 } else { 255 }]);
+    image::GrayImage::from_fn(6, 4, pixel).save(folder.path().join("hidden/1.png")).unwrap();
     write_json(&folder.path().join("transforms.json"), &file);
     let dataset = load(folder.path()).unwrap();
     assert_eq!(dataset.frames[1].name, "images\\1.png");
     assert_eq!(dataset.masked, 1);
     assert_eq!(dataset.frames[1].image.color(0, 0)[0], 1.0 / 255.0);
+}
+
+/// ScanNet++ marks frames that cannot be used. The others keep their turn of being held out.
+#[test]
+fn bad_frames_are_left_out() {
+    let mut file = transforms(10);
+    let folder = nerfstudio_folder(&file);
+    file["frames"][0]["is_bad"] = json!(true);
+    file["frames"][3]["is_bad"] = json!(false);
+    file["frames"][5]["is_bad"] = json!(true);
+    write_json(&folder.path().join("transforms.json"), &file);
+    let dataset = load(folder.path()).unwrap();
+    assert_eq!((dataset.frames.len(), &*dataset.held_out), (8, &[6][..]));
+    let [note] = &*dataset.notes else { panic!("{:?}", dataset.notes) };
+    assert!(note.contains("left out: 2, such as") && note.contains("images/0.png"), "{note}");
+    // and photographs without a frame
+    file["frames"].as_array_mut().unwrap().truncate(8);
+    write_json(&folder.path().join("transforms.json"), &file);
+    let notes = load(folder.path()).unwrap().notes;
+    assert!(notes[0].contains("2 of 10 photographs have no camera"), "{notes:?}");
 }
 
 #[test]

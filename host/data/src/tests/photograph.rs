@@ -37,7 +37,7 @@ impl Shot {
     /// Reads the frame.
     fn developed(&self) -> Result<Frame> {
         let options = in_the_world();
-        self.develop(&options).map(|(frame, _)| frame)
+        self.develop(&options).map(|developed| developed.frame)
     }
 }
 
@@ -175,6 +175,25 @@ fn sizes_must_match_the_camera() {
         let expected = format!("camera {} x {}", size[0], size[1]);
         assert_facts(result, &["a.png", "12 x 8", &expected, hint]);
     }
+}
+
+/// What is missing at the right and lower edges is not valid, and what is too much is cut off.
+#[test]
+fn photographs_may_be_a_pixel_off_their_camera() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("ramp.png");
+    for [width, height] in [[48, 35], [47, 36], [49, 37], [48, 36]] {
+        ramp(&path, width, height);
+        let image = shot(path.clone(), camera(48, 36), Lens::default()).developed().unwrap().image;
+        for (x, y) in (0..36).flat_map(|y| (0..48).map(move |x| (x, y))) {
+            assert_eq!(image.is_valid(x, y), x < width && y < height, "{width} {height}: {x},{y}");
+            let expected = if image.is_valid(x, y) { [x as u8, y as u8, 7] } else { [0; 3] };
+            assert_eq!(image.pixels()[(y * 48 + x) as usize], expected);
+        }
+    }
+    ramp(&path, 48, 34);
+    let result = shot(path, camera(48, 36), Lens::default()).developed();
+    assert_facts(result, &["48 x 34", "camera 48 x 36"]);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use organza::data::{equal_pairs, there_twice};
+use organza::data::{CONVERT, equal_pairs, is_unread, is_video, masks, there_twice};
 use organza::{Error, Result};
 use organza_core::input::{has_extension, open_regular, read_file};
 use sha2::{Digest, Sha256};
@@ -12,8 +12,8 @@ use sha2::{Digest, Sha256};
 use super::{Matcher, SOME};
 use crate::cli::console::Console;
 use crate::cli::inputs::FileKind;
-use crate::cli::refuse;
 use crate::cli::summary::count;
+use crate::cli::{quoted, refuse};
 
 /// How deep photographs are looked for in a folder: a camera's are in `DCIM/100APPLE`.
 const DEPTH: usize = 3;
@@ -55,7 +55,9 @@ impl<'a> Source<'a> {
             };
             return refuse(format!("{what}; expected one video, one folder, or photographs"));
         }
-        let named = inputs.iter().map(|path| (path.clone(), name_of(path)));
+        let (masks, photographs) = apart(inputs.to_vec());
+        warn_of_masks(console, masks.first());
+        let named = photographs.iter().map(|path| (path.clone(), name_of(path)));
         Self::photographs(named.collect(), &inputs[0])
     }
 
@@ -72,13 +74,24 @@ impl<'a> Source<'a> {
             return Self::folder(&images, console);
         }
         let below = own.below(DEPTH);
-        let [few, heic] = [below.photographs.len(), own.heic + below.heic]
+        let [few, unread] = [below.photographs.len(), own.unread + below.unread]
             .map(|number| count(number as u64, "photograph"));
+        if own.photographs.is_empty()
+            && below.photographs.is_empty()
+            && let Some(video) = &own.video
+        {
+            let reason = format!(
+                "{} has a video, and no photographs: name {}",
+                path.display(),
+                quoted(video)
+            );
+            return refuse(reason);
+        }
         let taken = match (own.photographs.is_empty(), below.photographs.first()) {
-            (true, None) if own.heic + below.heic > 0 => {
+            (true, None) if own.unread + below.unread > 0 => {
                 let path = path.display();
                 return refuse(format!(
-                    "{path} has photographs as HEIC, which COLMAP does not read; convert them to JPEG first"
+                    "{path} has {unread} in a format that is not read: {CONVERT}"
                 ));
             }
             (true, Some(first)) => {
@@ -94,9 +107,10 @@ impl<'a> Source<'a> {
                 own.photographs
             }
         };
-        if own.heic + below.heic > 0 {
-            console.warn(&format!("not taking {heic} as HEIC; convert them to JPEG first"));
+        if own.unread + below.unread > 0 {
+            console.warn(&format!("not taking {unread}: {CONVERT}"));
         }
+        warn_of_masks(console, own.masks.iter().chain(&below.masks).next());
         // Cameras begin each folder with the same names.
         let name = |file: &Path| {
             let inside = file.strip_prefix(path).unwrap_or(file);
@@ -213,9 +227,12 @@ pub fn padded(name: &str, digits: usize) -> String {
 #[derive(Default)]
 struct Listed {
     photographs: Vec<PathBuf>,
+    /// Masks of these, which are no photographs.
+    masks: Vec<PathBuf>,
     folders: Vec<PathBuf>,
-    /// Number of photographs as HEIC.
-    heic: usize,
+    video: Option<PathBuf>,
+    /// Number of photographs in formats that are not read.
+    unread: usize,
 }
 
 impl Listed {
@@ -224,28 +241,45 @@ impl Listed {
         let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
         paths.retain(|path| !name_of(path).starts_with('.'));
         paths.sort();
-        let is_heic = |path: &&PathBuf| has_extension(path, &["heic", "heif"]);
-        let heic = paths.iter().filter(is_heic).count();
+        let unread = paths.iter().filter(|path| is_unread(path)).count();
         let (folders, files): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
-        let photographs = files.into_iter().filter(|path| is_photograph(path)).collect();
-        Ok(Self { photographs, folders, heic })
+        let video = files.iter().find(|file| is_video(file)).cloned();
+        let (masks, photographs) = apart(files.into_iter().filter(|f| is_photograph(f)).collect());
+        Ok(Self { photographs, masks, folders, video, unread })
     }
 
     fn has_any(&self) -> bool {
-        !self.photographs.is_empty() || self.heic > 0
+        !self.photographs.is_empty() || self.unread > 0
     }
 
     /// The files of its folders, and of folders within them. A folder that may not be read has none.
     fn below(&self, depth: usize) -> Self {
         let mut found = Self::default();
-        for folder in self.folders.iter().filter(|_| depth > 0) {
+        let folders = self.folders.iter().filter(|folder| !masks::is_folder_of_masks(folder));
+        for folder in folders.filter(|_| depth > 0) {
             let own = Self::of(folder).unwrap_or_default();
             let below = own.below(depth - 1);
             found.photographs.extend(own.photographs.into_iter().chain(below.photographs));
-            found.heic += own.heic + below.heic;
+            found.masks.extend(own.masks.into_iter().chain(below.masks));
+            found.unread += own.unread + below.unread;
         }
         found
     }
+}
+
+/// Masks of photographs, and the photographs.
+fn apart(files: Vec<PathBuf>) -> (Vec<PathBuf>, Vec<PathBuf>) {
+    let is_mask = |file: &PathBuf| masks::is_mask(file, files.iter().map(PathBuf::as_path));
+    files.iter().cloned().partition(is_mask)
+}
+
+fn warn_of_masks(console: Console, first: Option<&PathBuf>) {
+    let Some(first) = first else { return };
+    console.warn(&format!(
+        "masks are not used, such as {}: COLMAP removes the lens distortion from photographs, and not from masks; put masks of \
+         its images into the data set's folder `masks`",
+        first.display()
+    ));
 }
 
 /// Whether a folder has photographs, or folders within it, none of which is a data set.

@@ -196,7 +196,7 @@ pub fn psnr(
     pixels: &[[u8; 3]],
     valid: Option<&[bool]>,
 ) -> Option<f64> {
-    let image = displayed(render(splats, camera, background));
+    let image = displayed(render(splats, camera, background, false));
     metrics::psnr(&image, &colors(pixels), valid)
 }
 

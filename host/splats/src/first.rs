@@ -97,7 +97,7 @@ pub(super) fn first(
 
 /// What an image says of Gaussians whose opacities are `opacity_i T_i`. `blur` is what their weights make up for, or 0.
 fn seen(splats: &[Splat], camera: &Camera, blur: f32) -> Vec<Seen> {
-    let view = SortedView::new(splats, camera);
+    let view = SortedView::new(splats, camera, false);
     view.sums(|placed, pixels, sums: &mut [Seen]| {
         let factor = |placed: &Placed| Compensation::new(placed.conic, blur).factor;
         let factors: Vec<_> = placed.iter().map(factor).collect();

@@ -52,8 +52,9 @@ impl Coarse {
     }
 
     /// The image of some Gaussians before the color that the photograph has around them, and how much of each pixel they cover.
-    fn shown(&self, splats: &[Splat]) -> Vec<([f32; 3], f32)> {
-        let [black, white] = [0.0, 1.0].map(|level| render(splats, &self.camera, [level; 3]));
+    fn shown(&self, splats: &[Splat], is_antialiased: bool) -> Vec<([f32; 3], f32)> {
+        let [black, white] =
+            [0.0, 1.0].map(|level| render(splats, &self.camera, [level; 3], is_antialiased));
         let open = black.iter().zip(&white).map(|(black, white)| white[0] - black[0]);
         let open: Vec<_> = open.map(|open| open.clamp(0.0, 1.0)).collect();
         // least squares of `color = black + open background`
@@ -82,8 +83,8 @@ struct Score {
 }
 
 impl Score {
-    fn new(splats: &[Splat], views: &[Coarse]) -> Self {
-        let images: Vec<_> = views.iter().map(|view| view.shown(splats)).collect();
+    fn new(splats: &[Splat], views: &[Coarse], is_antialiased: bool) -> Self {
+        let images: Vec<_> = views.iter().map(|view| view.shown(splats, is_antialiased)).collect();
         let share = |min: f32| {
             let pairs = images.iter().zip(views);
             let pairs = pairs.map(|(image, view)| variance(image, &view.colors, min));
@@ -131,7 +132,7 @@ impl SplatFile {
         let score = |axes: DMat3| {
             let own = few.clone().turned(axes).into_own(placement);
             // Gaussians that do not fit into the scene explain nothing
-            own.map_or(Score::default(), |splats| Score::new(&splats, &views))
+            own.map_or(Score::default(), |splats| Score::new(&splats, &views, self.is_antialiased))
         };
         let mut best = (DMat3::IDENTITY, score(DMat3::IDENTITY));
         if !self.is_placed {
@@ -244,7 +245,7 @@ mod tests {
         let splats = file().splats;
         let frame = |camera: Camera| {
             let camera = camera.within(80);
-            let pixels = render(&splats, &camera, [0.0; 3]).into_iter();
+            let pixels = render(&splats, &camera, [0.0; 3], false).into_iter();
             let pixels = pixels.map(|color| color.map(to_8_bit)).collect();
             let image = Photograph::new([camera.width, camera.height], pixels, None).unwrap();
             Frame { name: String::new(), camera, image }

@@ -136,11 +136,11 @@ mod tests {
         let back = SplatFile::new(Path::new(""), "", world.clone()).into_own(&placement).unwrap();
         let views = Views::around(bounds(&own)).unwrap();
         for camera in views.fitted.iter().step_by(9).map(|camera| camera.within(64)) {
-            let expected = render(&own, &camera, [0.2; 3]);
+            let expected = render(&own, &camera, [0.2; 3], false);
             for (splats, camera) in
                 [(&world, placement.world_camera(&camera)), (&back, camera.clone())]
             {
-                let found = render(splats, &camera, [0.2; 3]);
+                let found = render(splats, &camera, [0.2; 3], false);
                 let pairs = found.as_flattened().iter().zip(expected.as_flattened());
                 let largest = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
                 assert!(largest < 2e-3, "{largest}");

@@ -6,6 +6,7 @@ use glam::{Vec2, Vec3, Vec4};
 use muslin::math::sigmoid;
 use organza_shaders::camera::Camera as KernelCamera;
 use organza_shaders::project::{FALLOFF_CUTOFF, mahalanobis, project_gaussian};
+use organza_shaders::splat::Compensation;
 use rayon::prelude::*;
 
 use super::Splat;
@@ -50,11 +51,17 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    fn new(camera: &KernelCamera, gaussian: usize, splat: &Splat) -> Option<Self> {
-        let opacity = sigmoid(splat.opacity);
+    fn new(
+        camera: &KernelCamera,
+        gaussian: usize,
+        splat: &Splat,
+        is_antialiased: bool,
+    ) -> Option<Self> {
         let position = Vec3::from(splat.position);
         let rotation = Vec4::from(splat.rotation);
         let found = project_gaussian(camera, BLUR, position, rotation, splat.log_scale.into());
+        let compensated = if is_antialiased { BLUR } else { 0.0 };
+        let opacity = sigmoid(splat.opacity) * Compensation::new(found.conic, compensated).factor;
         if found.radius < 0.0 || opacity < MIN_ALPHA {
             return None;
         }
@@ -83,13 +90,14 @@ impl Placed {
 }
 
 impl SortedView {
-    pub fn new(splats: &[Splat], camera: &Camera) -> Self {
+    /// With `is_antialiased`, opacities make up for the [`BLUR`].
+    pub fn new(splats: &[Splat], camera: &Camera, is_antialiased: bool) -> Self {
         let size = [camera.width as usize, camera.height as usize];
         let camera = camera.for_kernels();
         let mut placed: Vec<_> = splats
             .par_iter()
             .enumerate()
-            .filter_map(|(gaussian, splat)| Placed::new(&camera, gaussian, splat))
+            .filter_map(|(gaussian, splat)| Placed::new(&camera, gaussian, splat, is_antialiased))
             .collect();
         placed.par_sort_unstable_by(|a, b| {
             a.depth.total_cmp(&b.depth).then(a.gaussian.cmp(&b.gaussian))
@@ -195,9 +203,15 @@ pub(super) fn blend(
     color + light * background
 }
 
-/// The image of some Gaussians, row by row. Values are not clamped to 0 to 1.
-pub fn render(splats: &[Splat], camera: &Camera, background: [f32; 3]) -> Vec<[f32; 3]> {
-    let view = SortedView::new(splats, camera);
+/// The image of some Gaussians, row by row. Values are not clamped to 0 to 1. With `is_antialiased`, a Gaussian that the viewer's
+/// blur makes wider becomes no heavier, as in Mip-Splatting.
+pub fn render(
+    splats: &[Splat],
+    camera: &Camera,
+    background: [f32; 3],
+    is_antialiased: bool,
+) -> Vec<[f32; 3]> {
+    let view = SortedView::new(splats, camera, is_antialiased);
     let tiles: Vec<_> = (0..view.tiles.len())
         .into_par_iter()
         .map(|tile| {
@@ -250,7 +264,7 @@ pub(super) mod tests {
         back.opacity = 1.0;
         back.color[0] = [-0.5 / FIRST, 0.0, 0.5 / FIRST];
         // the image has no pixel at its center: the falloff at the nearest one is a little below 1
-        let image = render(&[back, front], &camera, [0.2, 0.4, 0.6]);
+        let image = render(&[back, front], &camera, [0.2, 0.4, 0.6], false);
         let beyond = 1.0 / (1.0 + f32::exp(1.0));
         // red in front, blue and half of the green behind, and the background
         let expected = [
@@ -262,6 +276,24 @@ pub(super) mod tests {
             assert!((found - expected).abs() < 0.02, "{:?} {expected}", image[middle]);
         }
         // independent of the order in the file
-        assert_eq!(image, render(&[front, back], &camera, [0.2, 0.4, 0.6]));
+        assert_eq!(image, render(&[front, back], &camera, [0.2, 0.4, 0.6], false));
+    }
+
+    /// The light of a small Gaussian on black: `2 pi` times its variance in the image, in square pixels, times its alpha at the center
+    /// above the smallest that counts. The blur adds to that variance, and alpha makes up for it or not.
+    #[test]
+    fn antialiased_gaussians_keep_their_light() {
+        let camera = camera();
+        let mut small = ball();
+        small.color[0] = [0.5 / FIRST; 3];
+        small.log_scale = [-3.0; 3];
+        let distance = Vec3::from(camera.eye().map(|x| x as f32)).length();
+        let variance = (camera.fl_x as f32 / distance * f32::exp(-3.0)).powi(2);
+        for (is_antialiased, factor) in [(true, variance / (variance + BLUR)), (false, 1.0)] {
+            let image = render(&[small], &camera, [0.0; 3], is_antialiased);
+            let found: f32 = image.iter().map(|color| color[0]).sum();
+            let expected = std::f32::consts::TAU * (variance + BLUR) * (0.5 * factor - MIN_ALPHA);
+            assert!((found / expected - 1.0).abs() < 0.03, "{is_antialiased}: {found} {expected}");
+        }
     }
 }

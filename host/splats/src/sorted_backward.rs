@@ -40,7 +40,7 @@ pub(super) fn gradient(
     background: [f32; 3],
     truth: &[[f32; 3]],
 ) -> Vec<(u32, Splat)> {
-    let view = SortedView::new(splats, camera);
+    let view = SortedView::new(splats, camera, false);
     let background = Vec3::from(background);
     let scale = 2.0 / (3 * view.pixels()) as f32;
     let sums = view.sums(|intersections, pixels, slopes: &mut [Slope]| {
@@ -128,7 +128,7 @@ mod tests {
 
     /// The mean squared error of an image.
     fn error(splats: &[Splat], camera: &Camera, background: [f32; 3], truth: &[[f32; 3]]) -> f64 {
-        let image = render(splats, camera, background);
+        let image = render(splats, camera, background, false);
         let off = image.as_flattened().iter().zip(truth.as_flattened());
         off.map(|(a, b)| f64::from(a - b).powi(2)).sum::<f64>() / truth.len() as f64 / 3.0
     }
@@ -192,7 +192,7 @@ mod tests {
         let background = [0.0; 3];
         let mut splat = ball();
         splat.position = [0.1, 0.2, -0.1];
-        let truth = render(&[ball()], &camera, background);
+        let truth = render(&[ball()], &camera, background, false);
         let gradient = gradient(&[splat], &camera, background, &truth);
         for axis in 0..3 {
             let moved = |by: f32| {

@@ -69,11 +69,12 @@ pub fn import(
     let all: Vec<_> = cameras.iter().chain(held_out).cloned().collect();
     let placement = Placement::of(&all, &[]);
     let own: Vec<_> = all.iter().map(|camera| placement.own_camera(camera)).collect();
+    let is_antialiased = file.is_antialiased;
     let splats = file.into_seen(&placement, &own)?;
     let frame = |(index, camera): (usize, &Camera)| {
         let camera = camera.within(options.side);
         let own = placement.own_camera(&camera);
-        let colors = render(&splats, &own, options.background);
+        let colors = render(&splats, &own, options.background, is_antialiased);
         let pixels = colors.into_iter().map(|color| color.map(to_8_bit)).collect();
         let image = Photograph::new([camera.width, camera.height], pixels, None)?;
         Ok(Frame { name: format!("view-{index:03}"), camera, image })
@@ -94,7 +95,8 @@ pub fn import(
     let mut dataset = Dataset::from_frames(frames, 0).placed(placement);
     dataset.held_out = dataset.train.split_off(cameras.len());
     dataset.background = options.background.map(f64::from);
-    let config = config(splats.len(), options.steps);
+    let mut config = config(splats.len(), options.steps);
+    config.scene.antialiased = is_antialiased;
     let fitted: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
     let mut scene = from_splats(&splats, &config, dataset.background, &fitted)?;
     scene.config.placement = placement;
@@ -112,8 +114,6 @@ pub fn import(
 fn config(gaussians: usize, steps: u32) -> TrainConfig {
     let mut config = TrainConfig::default();
     config.run.steps = steps;
-    // like in viewers that sort
-    config.scene.antialiased = false;
     config.densification.end = 0.0;
     config.densification.max_gaussians = gaussians as u32;
     config.start.gaussians = gaussians as u32;

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use muslin::math::sigmoid;
 
-use super::{Splat, SplatFile, base_color, byte, log_of, logit_of, turned};
+use super::{Splat, SplatFile, ZEROS, base_color, byte, log_of, logit_of, omitted, turned};
 use crate::harmonics::{FIRST, HARMONICS, MIDDLE};
 use organza_core::error::{Result, invalid};
 
@@ -52,7 +52,9 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
             color,
         }
     };
-    Ok(SplatFile::new(path, ".splat", rows.iter().map(splat).collect()))
+    let splats: Vec<_> = rows.iter().filter(|row| **row != [0; BYTES]).map(splat).collect();
+    let note = omitted(rows.len() - splats.len(), rows.len(), ZEROS);
+    Ok(SplatFile { notes: Vec::from_iter(note), ..SplatFile::new(path, ".splat", splats) })
 }
 
 #[cfg(test)]
@@ -86,7 +88,9 @@ mod tests {
         let mut bytes: Vec<u8> = floats.iter().flat_map(|value| value.to_le_bytes()).collect();
         bytes.extend([255, 0, 51, 204, 128, 255, 128, 0]);
         let path = Path::new("a.SPLAT");
-        let file = super::super::read_from(&bytes, path).unwrap();
+        let filled = [&bytes[..], &[0; 64]].concat();
+        let file = super::super::read_from(&filled, path).unwrap();
+        assert!(file.notes[0].starts_with("2 of 3 Gaussians"), "{:?}", file.notes);
         let [splat] = file.splats[..] else { panic!() };
         assert_eq!(splat.position, [1.0, -2.0, 3.5]);
         assert_eq!(splat.log_scale, [0.5_f32.ln(), 0.0, 2.0_f32.ln()]);

@@ -1,5 +1,5 @@
 //! Binary glTF 2.0 with `KHR_gaussian_splatting`, as the Khronos Group ratified it. Gaussians are points with the
-//! extension's attributes, all of them floats.
+//! extension's attributes, which are written as floats. Integers are read, too.
 
 use std::collections::HashSet;
 use std::io::{self, Write};
@@ -11,7 +11,8 @@ use organza_core::memory;
 use serde_json::{Map, Value, json};
 
 use super::{
-    PLACEMENT, Splat, SplatFile, base_color, byte, ends, log_of, stored_placement, turned,
+    PLACEMENT, Splat, SplatFile, ZEROS, base_color, byte, ends, log_of, omitted, stored_placement,
+    turned,
 };
 use crate::harmonics::{DEGREE, HARMONICS};
 use crate::placed::turn;
@@ -29,6 +30,16 @@ const ORTHONORMAL: f64 = 1e-4;
 /// glTF's code for components of type float.
 pub(super) const FLOAT: u32 = 5126;
 const BYTE: u32 = 5121;
+/// Types of components: glTF's code, bytes, the value of the first bytes, and what is 1 in normalized values.
+const COMPONENTS: [(u32, usize, fn(&[u8]) -> f32, f32); 5] = [
+    (5120, 1, |bytes| f32::from(bytes[0].cast_signed()), 127.0),
+    (BYTE, 1, |bytes| f32::from(bytes[0]), 255.0),
+    (5122, 2, |bytes| f32::from(i16::from_le_bytes([bytes[0], bytes[1]])), 32_767.0),
+    (5123, 2, |bytes| f32::from(u16::from_le_bytes([bytes[0], bytes[1]])), 65_535.0),
+    (FLOAT, 4, |bytes| f32::from_le_bytes(std::array::from_fn(|at| bytes[at])), 1.0),
+];
+/// Extensions without which a file cannot be read, and which are: Gaussians, and integers as positions.
+const READ: [&str; 2] = [EXTENSION, "KHR_mesh_quantization"];
 /// Names of values with 1 to 4 components.
 const KINDS: [&str; 4] = ["SCALAR", "VEC2", "VEC3", "VEC4"];
 /// glTF's code for a buffer of vertex attributes.
@@ -202,7 +213,7 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     let Some(data) = data.get(..length) else { return damaged(path, "it was cut short") };
     let file = File { json: parse_json(text, path)?, data, path };
     let mut required = file.json["extensionsRequired"].as_array().into_iter().flatten();
-    if let Some(name) = required.find(|name| **name != EXTENSION) {
+    if let Some(name) = required.find(|name| !READ.iter().any(|read| **name == *read)) {
         let reason = format!(
             "the extension {name} is not read; write the Gaussians without it, or as a .ply"
         );
@@ -362,10 +373,16 @@ impl File<'_> {
             }
             splats.iter_mut().zip(values).for_each(|(splat, value)| splat.color[harmonic] = value);
         }
+        let is_zero = |splat: &Splat| {
+            let rest = splat.color[0].iter().chain(&splat.position);
+            splat.rotation.iter().chain(rest).all(|value| *value == 0.0)
+        };
+        splats.retain(|splat| !is_zero(splat));
+        notes.extend(omitted(count - splats.len(), count, ZEROS));
         Ok(splats)
     }
 
-    /// The values of an accessor, which must be floats.
+    /// The values of an accessor. Normalized integers are parts of 1.
     fn values<const N: usize>(&self, name: &str, accessor: Option<u64>) -> Result<Vec<[f32; N]>> {
         let Some(index) = accessor else {
             return invalid(self.path, format!("its Gaussians have no attribute {name}"));
@@ -388,11 +405,14 @@ impl File<'_> {
             let reason = "its values are in another file; write one .glb with everything in it";
             return invalid(self.path, reason);
         }
-        if accessor["componentType"] != FLOAT || accessor["type"] != KINDS[N - 1] {
-            let kind = KINDS[N - 1];
-            return invalid(self.path, format!("the attribute {name} is no {kind} of floats"));
-        }
-        let size = size_of::<[f32; N]>();
+        let component = COMPONENTS.iter().find(|(code, ..)| accessor["componentType"] == *code);
+        let kind = KINDS[N - 1];
+        let Some(&(_, bytes, value, one)) = component.filter(|_| accessor["type"] == kind) else {
+            let reason = format!("the attribute {name} is no {kind} of floats or short integers");
+            return invalid(self.path, reason);
+        };
+        let one = if accessor["normalized"] == true { one } else { 1.0 };
+        let size = N * bytes;
         let stride = number(&view["byteStride"]).unwrap_or(size);
         let offset = |value: &Value| number(&value["byteOffset"]).unwrap_or_default();
         let data = self.data.get(offset(view)..).and_then(|data| data.get(offset(accessor)..));
@@ -404,9 +424,10 @@ impl File<'_> {
             return broken();
         }
         let mut values = memory::zeros::<[f32; N]>(count, "an attribute of a glTF file")?;
-        for (row, value) in data.chunks(stride).zip(&mut values) {
-            let (bytes, _) = row.as_chunks();
-            *value = std::array::from_fn(|at| f32::from_le_bytes(bytes[at]));
+        let least = if one == 1.0 { f32::NEG_INFINITY } else { -1.0 };
+        for (row, out) in data.chunks(stride).zip(&mut values) {
+            // the lowest integer is -1, as the one above it
+            *out = std::array::from_fn(|at| (value(&row[at * bytes..]) / one).max(least));
         }
         Ok(values)
     }
@@ -511,6 +532,33 @@ mod tests {
         assert_close(&found, &splats(), [1e-6, 1e-5, 0.0, 0.0, 1e-6]);
     }
 
+    /// The table of glTF: a component's code, its bytes, and the value that they stand for.
+    #[test]
+    fn integers_are_read_and_normalized() {
+        for (code, bytes, normalized, plain) in [
+            (5120, vec![0x81], -1.0, -127.0),
+            (5120, vec![0x80], -1.0, -128.0),
+            (5121, vec![51], 0.2, 51.0),
+            (5122, vec![0xff, 0x7f], 1.0, 32_767.0),
+            (5122, vec![0x00, 0x80], -1.0, -32_768.0),
+            (5123, vec![0x33, 0x33], 0.2, 13_107.0),
+        ] {
+            for (is_normalized, expected) in [(true, normalized), (false, plain)] {
+                let json = json!({
+                    "accessors": [{"bufferView": 0, "byteOffset": 4, "componentType": code, "count": 2,
+                        "type": "VEC2", "normalized": is_normalized}],
+                    "bufferViews": [{"buffer": 0, "byteStride": 8}],
+                    "buffers": [{}],
+                });
+                let row = [&[9; 4], &bytes[..], &bytes, &[9; 4]].concat();
+                let data: Vec<u8> = row[..8].iter().chain(&row).copied().collect();
+                let file = File { json, data: &data, path: Path::new("a.glb") };
+                let found: Vec<[f32; 2]> = file.values("X", Some(0)).unwrap();
+                assert_eq!(found, [[expected; 2]; 2], "{code} {is_normalized}");
+            }
+        }
+    }
+
     #[test]
     fn a_long_chain_of_nodes_is_read() {
         let bytes = with(|json| {
@@ -544,8 +592,8 @@ mod tests {
         refused(|json| json["accessors"][1]["count"] = json!(u64::MAX), &["where it should be"]);
         refused(|json| json["accessors"][1]["count"] = json!(2), &["different lengths"]);
         refused(
-            |json| json["accessors"][1]["componentType"] = json!(5122),
-            &["ROTATION", "floats"],
+            |json| json["accessors"][1]["componentType"] = json!(5125),
+            &["ROTATION", "floats or short integers"],
         );
         refused(|json| json["bufferViews"][1]["byteStride"] = json!(0), &["where it should be"]);
         refused(|json| json["bufferViews"][1]["byteOffset"] = json!(u64::MAX), &["ROTATION"]);

@@ -56,6 +56,8 @@ pub struct SplatFile {
     pub placement: Placement,
     /// Whether the file says where it lies, as organza's do.
     pub is_placed: bool,
+    /// Whether opacities are those of viewers that make up for their blur, as in Mip-Splatting.
+    pub is_antialiased: bool,
     /// Warnings: what is not read as the file means it.
     pub notes: Vec<String>,
 }
@@ -64,7 +66,8 @@ impl SplatFile {
     pub(super) fn new(path: &Path, format: &'static str, splats: Vec<Splat>) -> Self {
         let path = path.to_owned();
         let placement = Placement::default();
-        Self { path, format, splats, placement, is_placed: false, notes: Vec::new() }
+        let notes = Vec::new();
+        Self { path, format, splats, placement, is_placed: false, is_antialiased: false, notes }
     }
 
     /// With the placement in the file, if it has one.
@@ -75,15 +78,32 @@ impl SplatFile {
 
     /// With these positions. If an f32 is too short for them, they become relative to their middle.
     fn with_positions(mut self, positions: &[[f64; 3]]) -> Self {
-        let is_exact = |x: &f64| f64::from(*x as f32) == *x;
+        let is_exact = |x: &f64| f64::from(*x as f32) == *x || !x.is_finite();
         let mut offset = [0.0; 3];
         if !positions.as_flattened().iter().all(is_exact) {
-            offset = [0, 1, 2].map(|axis| median(positions.iter().map(|place| place[axis])));
+            let finite = |axis: usize| {
+                positions.iter().map(move |place| place[axis]).filter(|x| x.is_finite())
+            };
+            offset = [0, 1, 2].map(|axis| median(finite(axis)));
         }
         for (splat, place) in self.splats.iter_mut().zip(positions) {
             splat.position = [0, 1, 2].map(|axis| (place[axis] - offset[axis]) as f32);
         }
         self.placement.offset = self.placement.world(offset);
+        self
+    }
+
+    /// Without a few Gaussians whose values are not finite.
+    fn without_broken(mut self) -> Self {
+        let is_finite = |splat: &Splat| {
+            bytemuck::cast_ref::<Splat, [f32; VALUES]>(splat).iter().all(|value| value.is_finite())
+        };
+        let all = self.splats.len();
+        let broken = self.splats.iter().filter(|splat| !is_finite(splat)).count();
+        if broken <= all / BROKEN_SHARE {
+            self.splats.retain(is_finite);
+            self.notes.extend(omitted(broken, all, "have NaN or infinity among their values"));
+        }
         self
     }
 
@@ -192,6 +212,16 @@ pub fn load(path: impl AsRef<Path>) -> Result<SplatFile> {
     read_from(&read_file(path, u64::MAX, "a file of Gaussians")?, path)
 }
 
+/// A file may have one Gaussian in so many that is not finite. Trainers leave a few behind.
+const BROKEN_SHARE: usize = 20;
+/// Some programs fill up their files with rows of zeros, which are no Gaussians.
+const ZEROS: &str = "have only zeros";
+
+/// A note if Gaussians are left out.
+fn omitted(count: usize, all: usize, why: &str) -> Option<String> {
+    (count > 0).then(|| format!("{count} of {all} Gaussians {why}; they are left out"))
+}
+
 /// Checks that there are Gaussians, and that each has values of one.
 fn check(splats: &[Splat], path: &Path, hint: &str) -> Result<()> {
     if splats.is_empty() {
@@ -243,6 +273,7 @@ pub fn read_from(bytes: &[u8], path: &Path) -> Result<SplatFile> {
             );
         }
     };
+    let file = file.without_broken();
     check(&file.splats, path, "is the file damaged?")?;
     Ok(file)
 }

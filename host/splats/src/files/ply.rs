@@ -5,7 +5,7 @@ use std::path::Path;
 
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
-use super::{DEGREE_4, PLACEMENT, Splat, SplatFile, log_of, turned};
+use super::{DEGREE_4, PLACEMENT, Splat, SplatFile, ZEROS, log_of, omitted, turned};
 use crate::harmonics::{FILE_DEGREE, HARMONICS};
 use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
@@ -25,8 +25,6 @@ const NUMBERED: [(&str, usize, usize); 4] = [
     ("rot_", 4, OPACITY + 4),
 ];
 const OPACITY: usize = 3 + LARGEST_REST;
-/// A file may have one Gaussian in so many that is not a number. Trainers leave a few behind.
-const NAN_SHARE: usize = 20;
 /// Properties that a Gaussian must have.
 const NEEDED: [&str; 14] = [
     "x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
@@ -55,6 +53,18 @@ fn stored_placement(file: &Ply<'_>, path: &Path) -> Result<Option<Placement>> {
     let json = file.comments().iter().find_map(json);
     let placement = |json: String| Placement::from_json(&parse_json(json.as_bytes(), path)?, path);
     json.map(placement).transpose()
+}
+
+/// Whether the last comment that says how Gaussians are drawn names antialiasing, as Brush or as Postshot writes it.
+fn is_antialiased(file: &Ply<'_>) -> bool {
+    let said = |comment: &String| {
+        let comment = comment.to_ascii_lowercase();
+        let brush =
+            comment.trim().strip_prefix("splatrendermode:").map(|mode| mode.trim() == "mip");
+        let postshot = comment.trim().strip_prefix("antialiased ").map(|flag| flag.trim() == "1");
+        brush.or(postshot)
+    };
+    file.comments().iter().rev().find_map(said).unwrap_or(false)
 }
 
 pub fn write(splats: &[Splat], placement: &Placement, file: &mut dyn Write) -> io::Result<()> {
@@ -86,8 +96,8 @@ struct Vertex {
 }
 
 impl Vertex {
-    fn has_nan(&self) -> bool {
-        self.position.iter().any(|x| x.is_nan()) || self.row.iter().any(|value| value.is_nan())
+    fn is_zero(&self) -> bool {
+        self.position == [0.0; 3] && self.row.iter().all(|value| *value == 0.0)
     }
 }
 
@@ -124,6 +134,7 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     let file = Ply::open(bytes, path)?;
     let rest = file.properties().filter(|name| name.starts_with("f_rest_")).count();
     let stored = stored_placement(&file, path)?;
+    let is_antialiased = is_antialiased(&file);
     let mut vertices: Vec<Vertex> = file.vertices(&NEEDED)?;
     if ![0, 9, 24, 45, LARGEST_REST].contains(&rest) {
         return invalid(
@@ -138,13 +149,8 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
         notes.push(DEGREE_4.to_owned());
     }
     let all = vertices.len();
-    let broken = vertices.iter().filter(|vertex| vertex.has_nan()).count();
-    if broken > 0 && broken <= all / NAN_SHARE {
-        vertices.retain(|vertex| !vertex.has_nan());
-        notes.push(format!(
-            "{broken} of {all} Gaussians have NaN among their values; they are left out"
-        ));
-    }
+    vertices.retain(|vertex| !vertex.is_zero());
+    notes.extend(omitted(all - vertices.len(), all, ZEROS));
     let others = rest / 3;
     let splat = |Vertex { row, .. }: &Vertex| {
         let values = |first: usize| std::array::from_fn(|at| row[first + at]);
@@ -163,7 +169,7 @@ pub fn read(bytes: &[u8], path: &Path) -> Result<SplatFile> {
     };
     let splats = vertices.iter().map(splat).collect();
     let positions: Vec<_> = vertices.iter().map(|vertex| vertex.position).collect();
-    let file = SplatFile { notes, ..SplatFile::new(path, "PLY", splats) };
+    let file = SplatFile { is_antialiased, notes, ..SplatFile::new(path, "PLY", splats) };
     Ok(file.placed(stored).with_positions(&positions))
 }
 
@@ -209,18 +215,50 @@ mod tests {
         assert_eq!(file.splats[0].color[15], [14.0, 38.0, 62.0]);
     }
 
+    /// NaN, infinite values, and any number of zeros.
     #[test]
-    fn a_few_gaussians_that_are_no_numbers_are_left_out() {
-        let mut splats = splats().repeat(3);
-        splats[5].color[1][2] = f32::NAN;
-        let mut bytes = Vec::new();
-        write(&splats, &Placement::default(), &mut bytes).unwrap();
-        let file = read_from(&bytes, Path::new("a.ply")).unwrap();
-        splats.remove(5);
-        let positions = |splats: &[Splat]| splats.iter().map(|splat| splat.position).collect();
-        let read: Vec<_> = positions(&file.splats);
-        assert_eq!(read, positions(&splats));
-        assert!(file.notes[0].contains("1 of 27 Gaussians"), "{:?}", file.notes);
+    fn gaussians_that_are_none_are_left_out() {
+        let whole = splats().repeat(3);
+        let written = |splats: &[Splat]| {
+            let mut bytes = Vec::new();
+            write(splats, &Placement::default(), &mut bytes).unwrap();
+            bytes
+        };
+        let [mut nan, mut infinite] = [whole.clone(), whole.clone()];
+        nan[5].color[1][2] = f32::NAN;
+        infinite[5].position[0] = f32::INFINITY;
+        let rest = [&whole[..5], &whole[6..]].concat();
+        let mut filled = written(&rest);
+        let count = filled.windows(9).position(|word| word == b"vertex 26").unwrap();
+        filled.splice(count..count + 9, *b"vertex 426");
+        filled.resize(filled.len() + 400 * 4 * names().count(), 0);
+        for (bytes, note) in [
+            (written(&nan), "1 of 27 Gaussians have NaN"),
+            (written(&infinite), "1 of 27 Gaussians have NaN or infinity"),
+            (filled, "400 of 426 Gaussians have only zeros"),
+        ] {
+            let file = read_from(&bytes, Path::new("a.ply")).unwrap();
+            let positions = |splats: &[Splat]| splats.iter().map(|splat| splat.position).collect();
+            let read: Vec<_> = positions(&file.splats);
+            assert_eq!(read, positions(&rest));
+            assert!(file.notes[0].contains(note), "{:?}", file.notes);
+        }
+    }
+
+    /// As Brush and Postshot write it; the last word counts.
+    #[test]
+    fn comments_tell_antialiasing() {
+        for (comments, expected) in [
+            ("", false),
+            ("comment SplatRenderMode: mip\n", true),
+            ("comment SplatRenderMode: default\n", false),
+            ("comment antialiased 1\n", true),
+            ("comment SplatRenderMode: mip\ncomment antialiased 0\n", false),
+        ] {
+            let text = text().replace("element", &format!("{comments}element"));
+            let file = read_from(text.as_bytes(), Path::new("a.ply")).unwrap();
+            assert_eq!(file.is_antialiased, expected, "{comments}");
+        }
     }
 
     /// A place on the Earth is relative to the scene before it is rounded.

@@ -314,7 +314,9 @@ impl File<'_> {
             self.add_harmonics(&mut splats)?;
         }
         let stored = stored_placement(&self.meta["asset"], self.path)?;
-        Ok(SplatFile::new(self.path, "SOG 2", splats).placed(stored))
+        let is_antialiased = self.meta["model"] == "antialiased" || self.meta["antialias"] == true;
+        let file = SplatFile { is_antialiased, ..SplatFile::new(self.path, "SOG 2", splats) };
+        Ok(file.placed(stored))
     }
 
     /// Positions: 16 bits in two images over the range of `sign(x) ln(1 + abs(x))`.

@@ -34,6 +34,8 @@ const ENTRY: usize = 16;
 const LEVEL: i32 = 12;
 /// Most bits in the fraction of a coordinate, which is an integer of 24 bits. Readers shift an i32 by them.
 const MAX_FRACTION: u8 = 30;
+/// Flag of Gaussians that were trained with antialiasing.
+const ANTIALIASED: u8 = 1;
 /// Flag of files with extensions.
 const EXTENDED: u8 = 2;
 /// Number of Adobe's extension that names the axes.
@@ -265,6 +267,7 @@ impl Header {
         }
         let format = ["SPZ 1", "SPZ 2", "SPZ 3", "SPZ 4"][self.version as usize - 1];
         let mut file = SplatFile::new(path, format, splats).placed(stored);
+        file.is_antialiased = self.flags & ANTIALIASED != 0;
         if u32::from(self.degree) > DEGREE {
             file.notes.push(DEGREE_4.to_owned());
         }
@@ -531,12 +534,13 @@ mod tests {
     /// 24 harmonics stand in a file with degree 4, 15 of them are read.
     #[test]
     fn harmonics_of_degree_4_are_left_out() {
-        let words = [MAGIC, 2, 1, u32::from_le_bytes([4, 12, 0, 0])];
+        let words = [MAGIC, 2, 1, u32::from_le_bytes([4, 12, ANTIALIASED, 0])];
         let mut bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
         bytes.resize(16 + 9 + 1 + 3 + 3 + 3, 0);
         bytes.extend(128..128 + 72);
         let file = super::super::read_from(&bytes, Path::new("a.spz")).unwrap();
         assert_eq!(file.notes, [DEGREE_4]);
+        assert!(file.is_antialiased);
         assert_eq!(file.splats[0].color[15], [42.0, 43.0, 44.0].map(|level| level / 128.0));
     }
 

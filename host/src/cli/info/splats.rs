@@ -19,6 +19,8 @@ pub struct SplatInfo {
     gaussians: usize,
     /// The largest degree of harmonics that are not all 0.
     degree: usize,
+    /// Whether opacities make up for a viewer's blur.
+    antialiased: bool,
     /// Two opposite corners of the box of nearly all of the opacity, in the world.
     corners: [[f64; 3]; 2],
     /// Where the file says that it lies.
@@ -30,7 +32,8 @@ pub struct SplatInfo {
 
 impl SplatInfo {
     pub fn load(path: &Path) -> Result<Self> {
-        let SplatFile { format, splats, placement, is_placed, notes, .. } = splats::load(path)?;
+        let file = splats::load(path)?;
+        let SplatFile { format, splats, placement, is_placed, is_antialiased, notes, .. } = file;
         let tensor = |name: &str, width: usize, of: fn(&Splat) -> &[f32]| {
             let data: Vec<_> = splats.iter().flat_map(of).copied().collect();
             TensorInfo::new(name, &[splats.len(), width][..if width > 1 { 2 } else { 1 }], &data)
@@ -46,6 +49,7 @@ impl SplatInfo {
             format,
             gaussians: splats.len(),
             degree: (1..=3).rev().find(is_used).unwrap_or(0),
+            antialiased: is_antialiased,
             corners: splats::bounds(&splats).map(|corner| placement.world(corner)),
             placement: is_placed.then_some(placement),
             tensors: vec![
@@ -73,6 +77,7 @@ impl fmt::Display for SplatInfo {
         for (label, value) in [
             ("Gaussians", grouped(self.gaussians as u64)),
             ("harmonics", format!("degree {}", self.degree)),
+            ("antialiased", if self.antialiased { "yes" } else { "no" }.to_owned()),
             ("corners in the world", format!("{lo:?} and {hi:?}")),
             ("its own origin", placed),
         ] {

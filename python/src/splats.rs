@@ -4,7 +4,6 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use organza::camera::Orbit;
 use organza::data::Background;
 use organza::splats::{self, Fit, Format, Import, Views};
 use organza_core::check_writable;
@@ -67,7 +66,7 @@ pub fn export<'py>(
                 splats::distill(&renderer, &scene, uploaded, &views, fit, &mut check_signals)?;
             let frames: Vec<_> = dataset.iter().flat_map(|data| data.held_out_frames()).collect();
             awaited()?;
-            let up = Orbit::around(&views.fitted)?.up;
+            let up = placement.upward(&[&views.fitted[..], &views.held_out].concat());
             let (written, offset) =
                 splats::save_scene(&found.splats, &path, format, up, &placement)?;
             let beside = splats::compare_splats(&renderer, uploaded, &written, &frames)?;

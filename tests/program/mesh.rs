@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use glam::{DQuat, DVec3};
+use organza::scene::Placement;
 use organza::{Camera, Scene, demo};
 use serde_json::Value;
 
@@ -64,6 +66,33 @@ fn all_formats_have_the_same_triangles_in_the_scene() {
     assert_eq!(word(20 + length) as usize, 24 * vertices.len() + 12 * faces.len());
 }
 
+/// Cameras that are held with some roll, and a scene that knows its up: a mesh and Gaussians of it have the same axes.
+#[test]
+fn files_of_a_scene_have_the_same_axes() {
+    let sandbox = sandbox();
+    let rolled =
+        |(at, camera): (usize, Camera)| camera.moved([0.0, 0.0, 0.02 * at as f64, 0.0, 0.0, 0.0]);
+    let cameras: Vec<_> = demo::turntable(6, 48).into_iter().enumerate().map(rolled).collect();
+    let mut scene = demo::scene();
+    scene.config.placement = Placement { up: [0.0, 0.8, 0.6], scale: 2.0, ..Placement::default() };
+    scene.save(sandbox.path("placed.safetensors")).expect("a scene");
+    let world = |camera: &Camera| scene.config.placement.world_camera(camera);
+    Camera::save_all(sandbox.path("rolled.json"), &cameras.iter().map(world).collect::<Vec<_>>())
+        .expect("cameras");
+    let words = "placed.safetensors rolled.json --backend cpu";
+    sandbox.run(&format!("mesh {words} --size 16 -o mesh.glb")).assert_ok();
+    sandbox.run(&format!("export {words} --steps 0 --side 16 -o splats.glb")).assert_ok();
+    let [mesh, splats] = ["mesh.glb", "splats.glb"].map(|name| {
+        let glb = fs::read(sandbox.path(name)).expect("a file");
+        let length = u32::from_le_bytes([glb[12], glb[13], glb[14], glb[15]]) as usize;
+        let json: Value = serde_json::from_slice(&glb[20..20 + length]).expect("JSON");
+        json["nodes"][0]["rotation"].clone()
+    });
+    assert_eq!(mesh, splats);
+    let turn = DQuat::from_array(serde_json::from_value(mesh).expect("a rotation"));
+    assert!((turn * DVec3::new(0.0, 0.8, 0.6)).distance(DVec3::Y) < 1e-6, "{turn}");
+}
+
 #[test]
 fn bad_requests_of_meshes_are_refused() {
     let sandbox = sandbox();
@@ -73,6 +102,7 @@ fn bad_requests_of_meshes_are_refused() {
         ("around.json -o a.stl", "a.stl should end in .glb, .ply or .obj"),
         ("around.json -o a.ply --faces 20", "--faces"),
         ("-o a.glb", "organza mesh SCENE CAMERAS -o FILE"),
+        ("built-in.safetensors@place.json -o a.glb", "the command takes one scene"),
         ("away.json -o a.glb", "the views show no surface"),
     ] {
         let words = format!("mesh built-in.safetensors {words} --backend cpu");

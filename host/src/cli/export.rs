@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use organza::camera::Orbit;
 use organza::data::{Dataset, Pose};
 use organza::error::format_bytes;
 use organza::splats::{self, Distilled, Fit, Format, Splat, SplatComparison, Views};
@@ -79,7 +78,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let uploaded = renderer.upload(&scene)?;
     let distilled = distill(args, &source, &scene, (&renderer, &uploaded), &views, console)?;
     let placement = scene.config.placement;
-    let up = Orbit::around(&views.fitted)?.up;
+    let up = placement.upward(&[&views.fitted[..], &views.held_out].concat());
     let (written, offset) =
         splats::save_scene(&distilled.splats, &args.output, format, up, &placement)?;
     if let Some(left_out) = offset {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use organza::camera::{Target, upward};
+use organza::camera::Target;
 use organza::error::format_bytes;
 use organza::splats::{Mesh, MeshFormat, save_mesh};
 use organza::{Camera, Result, Scene};
@@ -61,7 +61,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     check_file(&args.output, &inputs)?;
-    let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, console)?.list;
+    let Cameras { list: cameras, all, .. } =
+        Cameras::load(&source, args.cameras.as_deref(), &args.data, console)?;
     let scene = source.load(console)?;
     let renderer = args.device.open(console)?;
     let uploaded = args.scene_args.upload(&renderer, &scene)?;
@@ -77,9 +78,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         Mesh::of_surfaces(&surfaces, limits(&scene, &cameras), args.size, args.faces as usize)
     })?;
     let placement = &scene.config.placement;
-    let up = upward(cameras.iter()).to_array();
+    let up = placement.upward(&all);
     if let Some(left_out) = save_mesh(&mesh, &args.output, format, up, placement)? {
-        console.warn(&relative_to(left_out));
+        console.warn(&(relative_to(left_out) + ", as it says itself"));
     }
     let bytes = std::fs::metadata(&args.output).map_or(0, |file| file.len());
     let file = args.output.display();

@@ -6,7 +6,7 @@ use serde_json::json;
 
 use super::home::home;
 use super::message::Mode;
-use organza_core::camera::{Camera, Orbit, upward};
+use organza_core::camera::{Camera, Orbit};
 use organza_core::demo;
 use organza_core::scene::{Placement, bounds};
 use organza_data::{Point, Pose};
@@ -60,7 +60,7 @@ impl About {
         let home = home.cloned().unwrap_or_else(|| overview(visible));
         let [low, high] = visible.map(DVec3::from);
         let center = (low + high) / 2.0;
-        let up = upward(cameras.iter());
+        let up = config.placement.upward(&cameras);
         let view = |(index, pose): (usize, &Pose)| {
             let name = pose.camera.file_path.clone().unwrap_or_else(|| format!("view {index}"));
             json!({ "name": name, "held_out": pose.held_out, "camera": pose.camera })
@@ -78,7 +78,7 @@ impl About {
             "placement": config.placement,
             "step": config.step,
             "background": config.background,
-            "up": up.to_array(),
+            "up": up,
             // of the camera's orbit
             "center": center.to_array(),
             "home": home,

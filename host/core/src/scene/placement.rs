@@ -153,6 +153,15 @@ impl Placement {
         (DVec3::from(self.offset) + offset).to_array()
     }
 
+    /// The upward direction of a scene with this placement, in its own coordinates: z, as was found when it was placed. A scene in
+    /// the world's own coordinates does not know it, so `cameras`, all that it was made of, say how they were held.
+    pub fn upward(&self, cameras: &[Camera]) -> [f64; 3] {
+        match self.is_identity() {
+            true => aligned(upward(cameras.iter())).to_array(),
+            false => [0.0, 0.0, 1.0],
+        }
+    }
+
     /// A direction of the scene, in the world.
     pub fn world_direction(&self, direction: [f64; 3]) -> [f64; 3] {
         (self.rotation() * DVec3::from(direction)).to_array()
@@ -333,6 +342,25 @@ mod tests {
             assert!(camera.camera_to_world[2][0].abs() < 1e-6);
             assert!(camera.camera_to_world[2][1] > 0.0);
         }
+    }
+
+    /// Up is decided once: it is not of the cameras that a command sees. These hold theirs with some roll.
+    #[test]
+    fn a_placed_scene_keeps_its_upward_direction() {
+        let held = |(at, camera): (usize, &Camera)| {
+            camera.moved([0.0, 0.0, if at < 6 { 0.1 } else { -0.1 }, 0.0, 0.0, 0.0])
+        };
+        let ring = ring(DMat3::from_rotation_x(0.7), 3.0, DVec3::ONE);
+        let world: Vec<_> = ring.iter().enumerate().map(held).collect();
+        let placement = Placement::of(&world, &[]);
+        let own: Vec<_> = world.iter().map(|camera| placement.own_camera(camera)).collect();
+        for cameras in [&own[..], &own[..5], &own[7..]] {
+            assert_eq!(placement.upward(cameras), [0.0, 0.0, 1.0]);
+        }
+        assert!(upward(own[..3].iter()).angle_between(DVec3::Z) > 0.03);
+        // a scene in its world's coordinates
+        let up = DVec3::from(Placement::default().upward(&world));
+        assert!(up.distance(DVec3::from(placement.up)) < 1e-9, "{up}");
     }
 
     #[test]

@@ -10,6 +10,7 @@ use organza_core::scene::Placement;
 use organza_core::{Result, write_atomic};
 use serde_json::json;
 
+use super::PLACEMENT;
 use super::gltf::{FLOAT, VERTICES, asset, write_container, y_up};
 use crate::Mesh;
 use crate::placed::{in_file, left_out};
@@ -45,7 +46,7 @@ impl MeshFormat {
 }
 
 /// Writes a mesh, atomically: in the world, and in meters if these are known. `up` is a direction of the scene. Returns the offset that
-/// the file leaves out, because positions of 32 bits could not hold it.
+/// positions leave out, because 32 bits could not hold it. The file says where it lies, as files of Gaussians do.
 ///
 /// # Errors
 /// [`Error::WriteFile`](organza_core::Error::WriteFile).
@@ -57,20 +58,27 @@ pub fn save_mesh(
     placement: &Placement,
 ) -> Result<Option<[f64; 3]>> {
     let path = path.as_ref();
-    let (in_file, _) = in_file(placement);
+    let (in_file, stored) = in_file(placement);
     let place = |place: &[f64; 3]| in_file.world(*place).map(|x| x as f32);
     let places: Vec<_> = mesh.position.iter().map(place).collect();
     let up = DVec3::from(placement.world_direction(up)).as_vec3();
     write_atomic(path, |file| match format {
-        MeshFormat::Ply => write_ply(mesh, &places, file),
-        MeshFormat::Obj => write_obj(mesh, &places, file),
-        MeshFormat::Glb => write_glb(mesh, &places, up, file),
+        MeshFormat::Ply => write_ply(mesh, &places, &stored, file),
+        MeshFormat::Obj => write_obj(mesh, &places, &stored, file),
+        MeshFormat::Glb => write_glb(mesh, &places, (up, &stored), file),
     })?;
     Ok(left_out(placement, &in_file))
 }
 
-fn write_ply(mesh: &Mesh, places: &[[f32; 3]], file: &mut dyn Write) -> io::Result<()> {
-    writeln!(file, "ply\nformat binary_little_endian 1.0\nelement vertex {}", places.len())?;
+fn write_ply(
+    mesh: &Mesh,
+    places: &[[f32; 3]],
+    stored: &Placement,
+    file: &mut dyn Write,
+) -> io::Result<()> {
+    writeln!(file, "ply\nformat binary_little_endian 1.0")?;
+    writeln!(file, "comment {PLACEMENT} {}", serde_json::to_string(stored)?)?;
+    writeln!(file, "element vertex {}", places.len())?;
     writeln!(file, "property float x\nproperty float y\nproperty float z")?;
     writeln!(file, "property uchar red\nproperty uchar green\nproperty uchar blue")?;
     writeln!(file, "element face {}", mesh.face.len())?;
@@ -85,7 +93,13 @@ fn write_ply(mesh: &Mesh, places: &[[f32; 3]], file: &mut dyn Write) -> io::Resu
     })
 }
 
-fn write_obj(mesh: &Mesh, places: &[[f32; 3]], file: &mut dyn Write) -> io::Result<()> {
+fn write_obj(
+    mesh: &Mesh,
+    places: &[[f32; 3]],
+    stored: &Placement,
+    file: &mut dyn Write,
+) -> io::Result<()> {
+    writeln!(file, "# {PLACEMENT} {}", serde_json::to_string(stored)?)?;
     for ([x, y, z], color) in places.iter().zip(&mesh.color) {
         let [red, green, blue] = color.map(|level| f32::from(level) / 255.0);
         writeln!(file, "v {x} {y} {z} {red:.4} {green:.4} {blue:.4}")?;
@@ -94,7 +108,12 @@ fn write_obj(mesh: &Mesh, places: &[[f32; 3]], file: &mut dyn Write) -> io::Resu
     mesh.face.iter().try_for_each(|&[a, b, c]| writeln!(file, "f {} {} {}", a + 1, b + 1, c + 1))
 }
 
-fn write_glb(mesh: &Mesh, places: &[[f32; 3]], up: Vec3, file: &mut dyn Write) -> io::Result<()> {
+fn write_glb(
+    mesh: &Mesh,
+    places: &[[f32; 3]],
+    (up, stored): (Vec3, &Placement),
+    file: &mut dyn Write,
+) -> io::Result<()> {
     // glTF's colors are linear
     let linear = |level: u8| {
         let level = f32::from(level) / 255.0;
@@ -122,7 +141,7 @@ fn write_glb(mesh: &Mesh, places: &[[f32; 3]], up: Vec3, file: &mut dyn Write) -
         "asset": asset(),
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, "rotation": y_up(up)}],
+        "nodes": [{"mesh": 0, "rotation": y_up(up), "extras": {PLACEMENT: stored}}],
         "meshes": [{"primitives": [
             {"attributes": {"POSITION": 0, "COLOR_0": 1}, "indices": 2, "material": 0}
         ]}],
@@ -134,4 +153,32 @@ fn write_glb(mesh: &Mesh, places: &[[f32; 3]], up: Vec3, file: &mut dyn Write) -
     });
     write_container(&json, length, file)?;
     parts.iter().try_for_each(|bytes| file.write_all(bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In UTM coordinates and meters, positions are relative to an offset, which each file has.
+    #[test]
+    fn files_say_what_positions_leave_out() {
+        let position = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let mesh = Mesh { position, color: vec![[255; 3]; 3], face: vec![[0, 1, 2]] };
+        let offset = [500_000.0, 4_600_000.5, 300.0];
+        let placement = Placement { offset, meters: Some(0.5), ..Placement::default() };
+        let folder = tempfile::tempdir().unwrap();
+        for (name, format) in
+            [("a.ply", MeshFormat::Ply), ("a.obj", MeshFormat::Obj), ("a.glb", MeshFormat::Glb)]
+        {
+            let path = folder.path().join(name);
+            let left_out = save_mesh(&mesh, &path, format, [0.0, 0.0, 1.0], &placement).unwrap();
+            assert_eq!(left_out, Some(offset.map(|x| 0.5 * x)));
+            let file = std::fs::read(path).unwrap();
+            let text = String::from_utf8_lossy(&file);
+            let begin = text.find("{\"offset\":").expect(name);
+            let json = serde_json::Deserializer::from_str(&text[begin..]).into_iter().next();
+            let stored: Placement = json.unwrap().unwrap();
+            assert_eq!((stored.offset, stored.scale), (offset, 2.0), "{name}");
+        }
+    }
 }

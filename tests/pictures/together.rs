@@ -97,7 +97,12 @@ fn a_scene_in_clear_air_keeps_its_channels() {
     air.gaussians.opacity.fill(-200.0);
     air.transmittance.network.layers.last_mut().expect("a layer").bias[0] = 200.0;
     // a third of a turn around (1, 1, 1): x is y, y is z, z is x
-    let put = Place { offset: [0.3, 0.2, -0.4], turn: [120.0 / 3_f64.sqrt(); 3], scale: 1.7 };
+    let put = Place {
+        offset: [0.3, 0.2, -0.4],
+        turn: [120.0 / 3_f64.sqrt(); 3],
+        scale: 1.7,
+        ..Place::default()
+    };
     let place = Placement::default().place(&Placement::default(), &put).expect("a place");
     for (device, opened) in devices::all() {
         let renderer = Renderer::new(opened);

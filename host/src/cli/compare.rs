@@ -44,6 +44,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         if !seen.insert(fs::canonicalize(folder).unwrap_or_else(|_| folder.clone())) {
             return refuse(format!("the run {name} is named twice"));
         }
+        if folder.is_file() {
+            return refuse(format!(
+                "{name} is a file: name runs by their folders. `organza eval` measures a scene or a checkpoint alone"
+            ));
+        }
         runs.push((name, Run::load(folder)?));
     }
     warn_of_data(&args.runs, console)?;

@@ -76,6 +76,8 @@ fn runs_are_compared() {
     }
     sandbox.assert_refuses("compare a", &["2 values", "RUN"]);
     sandbox.assert_refuses("compare a ./a/", &["./a/", "named twice"]);
+    sandbox
+        .assert_refuses("compare a a/checkpoint.safetensors", &["is a file", "by their folders"]);
     sandbox.assert_refuses("compare a nowhere", &["nowhere", "config.toml"]);
 }
 

@@ -287,7 +287,12 @@ fn a_page_renders_by_itself() {
     assert_eq!(page.eval("organza.errors"), json!([]));
 
     // several scenes are a page, too
-    let put = scene::Place { offset: [0.3, -0.2, 0.4], turn: [20.0, 0.0, 70.0], scale: 0.6 };
+    let put = scene::Place {
+        offset: [0.3, -0.2, 0.4],
+        turn: [20.0, 0.0, 70.0],
+        scale: 0.6,
+        ..scene::Place::default()
+    };
     sandbox.write("place.json", serde_json::to_string(&put).unwrap());
     let words = "export-web thin.safetensors outside.safetensors@place.json near.json -o both.html \
                  --single-file --size 160x128 --backend cpu";

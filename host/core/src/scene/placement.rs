@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::camera::{Camera, Target, median, upward};
-use crate::error::{Error, Result, bad_config};
+use crate::error::{Error, Result, bad_config, refuse};
 
 /// Distance of the cameras from what they look at, in units of the scene. The near plane at 0.01 is then close to them.
 const DISTANCE: f64 = 4.0;
@@ -18,6 +18,10 @@ const SPREAD_DISTANCE: f64 = 100.0;
 const ALIGNED: f64 = 0.996_194_698_091_745_5;
 /// Smallest distance between cameras, relative to their coordinates, that is not a rounding error.
 const ROUNDING: f64 = 1e-12;
+/// How many times larger or smaller a scene may become beside another. Squares of coordinates must be finite in f32.
+const LARGEST: f64 = 1e9;
+/// How far from another scene's origin a scene may lie, in units of that scene, for the same reason.
+const FARTHEST: f64 = 1e12;
 /// Largest difference of the axes from unit vectors at right angles.
 const ORTHONORMAL: f64 = 1e-6;
 
@@ -66,11 +70,29 @@ pub struct Place {
     pub turn: [f64; 3],
     /// The length of one unit.
     pub scale: f64,
+    /// Whether both scenes are parts of one world. Then nothing is turned upright, and units are the same.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub same_world: bool,
 }
 
 impl Default for Place {
     fn default() -> Self {
-        Self { offset: [0.0; 3], turn: [0.0; 3], scale: 1.0 }
+        Self { offset: [0.0; 3], turn: [0.0; 3], scale: 1.0, same_world: false }
+    }
+}
+
+impl Place {
+    fn check(&self) -> Result<()> {
+        let Self { offset, turn, scale, .. } = *self;
+        for (name, values) in [("offset", offset), ("turn", turn)] {
+            if !values.iter().all(|value| value.is_finite()) {
+                return refuse(format!("`{name}` is {values:?}, expected finite numbers"));
+            }
+        }
+        match scale > 0.0 && scale.is_finite() {
+            true => Ok(()),
+            false => refuse(format!("`scale` is {scale}, expected a positive number")),
+        }
     }
 }
 
@@ -194,19 +216,23 @@ impl Placement {
     }
 
     /// The place of another scene in this one: that scene's own coordinates are turned into this one's. `put` moves the
-    /// world of `other` in this scene's world. Before that, upward directions become one, and so do units if both know meters.
+    /// world of `other` in this scene's world. Before that, upward directions become one, and so do units if both know meters,
+    /// unless it is one world.
     ///
     /// # Errors
-    /// [`Error::BadConfig`] for a number that is not finite, or a scale that is not positive.
+    /// [`Error::Invalid`] for a number that is not finite, a scale that is not positive, or a place that is much farther away, or
+    /// makes the scene much larger or smaller, than f32 can hold.
     pub fn place(&self, other: &Self, put: &Place) -> Result<Self> {
-        let offset = put.offset;
-        Self { offset, scale: put.scale, ..Self::default() }.check()?;
+        put.check()?;
         let meters = other.meters.zip(self.meters).map_or(1.0, |(other, own)| other / own);
-        let scale = put.scale * meters;
+        let scale = if put.same_world { put.scale } else { put.scale * meters };
         let turn = DQuat::from_scaled_axis(DVec3::from(put.turn.map(f64::to_radians)));
-        let upright = DQuat::from_rotation_arc(DVec3::from(other.up), DVec3::from(self.up));
+        let upright = match put.same_world {
+            true => DQuat::IDENTITY,
+            false => DQuat::from_rotation_arc(DVec3::from(other.up), DVec3::from(self.up)),
+        };
         let turn = DMat3::from_quat(turn * upright);
-        let origin = DVec3::from(offset) + turn * DVec3::from(other.offset) * scale;
+        let origin = DVec3::from(put.offset) + turn * DVec3::from(other.offset) * scale;
         let axes = self.rotation().transpose() * turn * other.rotation();
         let place = Self {
             offset: self.own(origin.to_array()),
@@ -215,6 +241,19 @@ impl Placement {
             right: axes.x_axis.to_array(),
             meters: None,
         };
+        let times = place.scale;
+        if !(LARGEST.recip()..=LARGEST).contains(&times) {
+            let scale = put.scale;
+            let reason =
+                format!("`scale` is {scale}, which makes the scene {times:e} times as large");
+            return refuse(format!("{reason}, expected {:e} to {LARGEST:e}", LARGEST.recip()));
+        }
+        if !place.offset.iter().all(|x| x.abs() <= FARTHEST) {
+            let offset = put.offset;
+            return refuse(format!(
+                "`offset` is {offset:?}, which is too far from the first scene"
+            ));
+        }
         place.check()?;
         Ok(place)
     }
@@ -363,6 +402,20 @@ mod tests {
         assert!(up.distance(DVec3::from(placement.up)) < 1e-9, "{up}");
     }
 
+    /// Parts of one world stay where it has them, whatever the parts' own up and units are.
+    #[test]
+    fn parts_of_one_world_lie_as_it_has_them() {
+        let [first, other] = [0.7, 0.9].map(|angle| {
+            let world = ring(DMat3::from_rotation_x(angle), 3.0, DVec3::splat(angle));
+            Placement { meters: Some(angle), ..Placement::of(&world, &[]) }
+        });
+        let place = first.place(&other, &Place { same_world: true, ..Place::default() }).unwrap();
+        for point in [[0.0; 3], [1.0, 0.0, 0.0], [0.3, -2.0, 5.0]] {
+            let found = DVec3::from(first.world(place.world(point)));
+            assert!(found.distance(DVec3::from(other.world(point))) < 1e-9, "{found:?}");
+        }
+    }
+
     #[test]
     fn a_scene_is_put_upright_and_in_meters() {
         let turned = DMat3::from_rotation_x(std::f64::consts::FRAC_PI_2);
@@ -370,7 +423,8 @@ mod tests {
         let other = Placement { meters: Some(0.01), ..Placement::of(&world, &[]) };
         let room = Placement::of(&ring(DMat3::IDENTITY, 2.0, DVec3::new(5.0, 0.0, 0.0)), &[]);
         let room = Placement { meters: Some(0.5), ..room };
-        let put = Place { offset: [1.0, 2.0, 3.0], turn: [0.0, 0.0, 90.0], scale: 2.0 };
+        let offset = [1.0, 2.0, 3.0];
+        let put = Place { offset, turn: [0.0, 0.0, 90.0], scale: 2.0, ..Place::default() };
         let place = room.place(&other, &put).unwrap();
         for point in [[0.0; 3], [1.0, 0.0, 0.0], [0.3, -2.0, 5.0]] {
             let [x, y, z] = other.world(point);
@@ -385,6 +439,8 @@ mod tests {
             Place { scale: -1.0, ..put },
             Place { turn: [f64::NAN, 0.0, 0.0], ..put },
             Place { offset: [0.0, f64::INFINITY, 0.0], ..put },
+            Place { scale: 1e-300, ..put },
+            Place { offset: [0.0, 1e300, 0.0], ..put },
         ] {
             assert!(room.place(&other, &bad).is_err(), "{bad:?}");
         }

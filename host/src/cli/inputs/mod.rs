@@ -16,6 +16,7 @@ pub use shown::Shown;
 use crate::cli::console::Console;
 use crate::cli::summary::count;
 use crate::cli::views::photographs;
+use organza::error::invalid;
 use organza::scene::Placement;
 use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
 use organza::{Camera, Error, Result, Scene};
@@ -121,6 +122,13 @@ impl Cameras {
         args: &DataArgs,
         console: Console,
     ) -> Result<Self> {
+        if let Some((path, _)) = named.and_then(shown::placed) {
+            let reason = format!(
+                "this names a scene at a place, and the command takes one scene; `render`, `film`, `view` and `export-web` show \
+                 {path} with others"
+            );
+            return invalid(named.unwrap_or(Path::new("")), reason);
+        }
         let cameras = match named {
             Some(file) if !file.is_dir() && !args.is_given() => Self::from_file(scene, file)?,
             _ => Self::from_data_set(scene, named, args, console)?,

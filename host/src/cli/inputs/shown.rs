@@ -1,6 +1,6 @@
 //! The scenes that a command shows together.
 
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, is_separator};
 
 use organza::error::invalid;
 use organza::scene::{Place, Placement};
@@ -30,8 +30,7 @@ impl Shown {
         let mut beside = Vec::new();
         let mut cameras: Option<PathBuf> = None;
         for path in others {
-            let placed = path.to_str().and_then(|text| text.rsplit_once('@'));
-            if let Some((path, file)) = placed.filter(|_| !path.exists()) {
+            if let Some((path, file)) = placed(path) {
                 let place = read_place(file.as_ref())?;
                 let other = SceneSource::find(path.as_ref())?;
                 let placement = source.placement().place(&other.placement(), &place);
@@ -80,6 +79,19 @@ impl Shown {
     pub fn places(&self) -> Vec<(String, Place)> {
         self.beside.iter().map(|(source, place, _)| (title(source.named()), *place)).collect()
     }
+}
+
+/// The scene and the place that `SCENE@PLACE.json` names. Paths may have an `@`, too, so the parts that exist decide.
+pub(super) fn placed(path: &Path) -> Option<(&str, &str)> {
+    let text = path.to_str().filter(|_| !path.exists())?;
+    let parts = text.match_indices('@').map(|(at, _)| (&text[..at], &text[at + 1..]));
+    let likely = |(scene, place): &(&str, &str)| {
+        let there = [scene, place].iter().filter(|part| Path::new(part).exists()).count();
+        // without either, an `@` before a separator belongs to a folder's name
+        (there, !place.contains(is_separator))
+    };
+    // of equal ones, the last
+    parts.max_by_key(likely).filter(|parts| likely(parts) != (0, false))
 }
 
 fn read_place(file: &Path) -> Result<Place> {

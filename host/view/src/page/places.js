@@ -180,6 +180,7 @@ export class Places extends Tool {
     const after = { center: add(center, by), radius: radius * factor };
     Object.assign(this.scene, after);
     this.put({
+      ...place,
       offset: add(world(after.center), arm).map(digits(after.radius * placement.scale * 0.01)),
       turn: angle ? followed(place.turn, placement.up, angle).map(digits(10)) : place.turn,
       scale: factor === 1 ? place.scale : Number((place.scale * factor).toPrecision(5)),

@@ -65,7 +65,7 @@ fn checked(memory: *mut u8, size: usize) -> *mut u8 {
 #[cold]
 fn give_up(size: usize) -> ! {
     // Standard error is not buffered, and formatting integers allocates nothing.
-    let text = "render fewer or smaller tiles at once, or use a smaller scene";
+    let text = "choose a smaller `--size`, `--side` or `--downscale`, render fewer or smaller tiles at once, or use a smaller scene";
     let _ =
         writeln!(std::io::stderr(), "error: out of memory: {size} more bytes are needed; {text}");
     std::process::exit(2)

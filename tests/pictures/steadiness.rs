@@ -73,8 +73,10 @@ fn images_without_sorting_do_not_jump() {
     let (scene, cameras) = crossing();
     let background = scene.config.background.map(|channel| channel as f32);
     let gaussians = sorted(&renderer, &scene, &cameras[0]);
-    let sorted: Vec<_> =
-        cameras.iter().map(|camera| splats::render(&gaussians, camera, background)).collect();
+    let sorted: Vec<_> = cameras
+        .iter()
+        .map(|camera| splats::render(&gaussians, camera, background, false))
+        .collect();
     let uploaded = renderer.upload(&scene).expect("it fits");
     let own = cameras.iter().map(|camera| -> Pixels {
         let batch = TileBatch::cover(0, 32, 32, 32).expect("one tile");

@@ -150,7 +150,12 @@ pub enum Error {
 pub fn chain(error: &(dyn std::error::Error + 'static)) -> String {
     let mut message = error.to_string();
     let is_of_memory = |error: &(dyn std::error::Error + 'static)| {
-        error.downcast_ref::<Error>().is_some_and(Error::is_out_of_memory)
+        // some purposes name an option of their own
+        let needs = |error: &Error| {
+            let Error::Device(DeviceError::OutOfMemory { what, .. }) = error else { return false };
+            !what.contains("`--")
+        };
+        error.downcast_ref::<Error>().is_some_and(needs)
     };
     let mut needs_memory = is_of_memory(error);
     let mut source = error.source();

@@ -29,7 +29,8 @@ pub(super) fn mask_of(folder: &Path, path: &Path, suffix: &str) -> Option<PathBu
         ENDINGS.iter().flat_map(names).find(|file| is_there(file))
     };
     let images = format!("{IMAGES}{suffix}");
-    let is_within = path.components().all(|part| matches!(part, Component::Normal(_)));
+    let is_within =
+        path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
     let in_masks = FOLDERS.iter().find_map(|masks| {
         let masks = format!("{masks}{suffix}");
         let beside = sibling(path, &images, &masks);

@@ -1,7 +1,8 @@
 //! A mesh of what cameras see: their surfaces become one signed distance (Curless and Levoy, A Volumetric Method for Building Complex
 //! Models from Range Images, 1996), and surface nets find where it is 0.
 
-use std::collections::HashSet;
+use std::sync::atomic::Ordering::Relaxed;
+use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 use fast_surface_nets::ndshape::{RuntimeShape, Shape};
 use fast_surface_nets::{SurfaceNetsBuffer, surface_nets};
@@ -20,6 +21,14 @@ const BLOCK: u32 = 8;
 const SMALLEST_PART: f64 = 0.01;
 /// Fewest cells along the longest side.
 const FEWEST_CELLS: u32 = 8;
+/// Surface nets count points in 32 bits.
+const MOST_POINTS: u64 = u32::MAX as u64;
+/// Bytes of a point: its distance, and whether it is seen.
+const GRID_BYTES: usize = 5;
+/// Bytes of a point that surface nets add.
+const NET_BYTES: usize = size_of::<u32>();
+/// Purpose of the grid's memory.
+const GRID: &str = "a mesh's grid (a smaller `--size` needs less)";
 /// Color of a vertex that no camera sees.
 const GRAY: [u8; 3] = [128; 3];
 
@@ -36,7 +45,7 @@ pub struct Mesh {
 
 impl Mesh {
     /// The mesh of the surfaces that cameras see, in a box. Its longest side has `cells` cells; fewer if there would be more than `max`
-    /// triangles. What no camera sees has no triangles.
+    /// triangles. What no camera sees has no triangles. `progress` is called with the number of finished layers of the box, and of all.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory);
@@ -46,11 +55,12 @@ impl Mesh {
         limits: [[f64; 3]; 2],
         cells: u32,
         max: usize,
+        progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Self> {
         let mut cells = cells;
         while cells >= FEWEST_CELLS {
             let grid = Grid::new(limits, cells);
-            let mut mesh = grid.mesh(&grid.distances(surfaces)?)?;
+            let mut mesh = grid.mesh(&grid.distances(surfaces, progress)?)?;
             mesh.remove_floating();
             let faces = mesh.face.len();
             if faces == 0 {
@@ -117,39 +127,63 @@ impl Grid {
         Self { low, cell, size }
     }
 
-    /// The blocks of points in whose band a surface is.
-    fn near(&self, surfaces: &[Surface]) -> HashSet<[u32; 3]> {
-        let blocks = surfaces.par_iter().flat_map_iter(|surface| {
-            surface.places().flat_map(|place| {
+    /// The block of a point.
+    fn block(&self, at: [u32; 3]) -> usize {
+        let [across, down, _] = self.size.map(|points| points.div_ceil(BLOCK) as usize);
+        let [x, y, z] = at.map(|at| (at / BLOCK) as usize);
+        (z * down + y) * across + x
+    }
+
+    /// Whether a surface is in the band of each block of points.
+    fn near(&self, surfaces: &[Surface]) -> Vec<AtomicBool> {
+        let [x, y, z] = self.size.map(|points| points - 1);
+        let mut near = Vec::new();
+        near.resize_with(self.block([x, y, z]) + 1, AtomicBool::default);
+        surfaces.par_iter().for_each(|surface| {
+            for place in surface.places() {
                 let at = (place - self.low) / self.cell;
-                let corner = move |corner: u32| {
+                for corner in 0..8_u32 {
                     let offset = DVec3::from([1, 2, 4].map(|bit| f64::from((corner & bit).min(1))));
                     let at = (at + BAND * (2.0 * offset - 1.0)).to_array();
-                    let is_inside =
-                        at.iter().zip(self.size).all(|(&at, n)| (0.0..f64::from(n)).contains(&at));
-                    is_inside.then(|| at.map(|at| at as u32 / BLOCK))
-                };
-                (0..8).filter_map(corner)
-            })
+                    let mut sides = at.iter().zip(self.size);
+                    if sides.all(|(&at, n)| (0.0..f64::from(n)).contains(&at)) {
+                        near[self.block(at.map(|at| at as u32))].store(true, Relaxed);
+                    }
+                }
+            }
         });
-        blocks.collect()
+        near
     }
 
     /// Means over the cameras that see a point, or see that it is less than a band behind a surface. Only points near surfaces are
     /// looked at.
-    fn distances(&self, surfaces: &[Surface]) -> Result<Distances> {
+    fn distances(
+        &self,
+        surfaces: &[Surface],
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Distances> {
         let [width, height, _] = self.size.map(|points| points as usize);
-        let points = self.size.iter().map(|&points| points as usize).product();
-        let mut distance = memory::zeros(points, "a mesh's grid")?;
-        let mut is_seen = vec![false; points];
+        let points = self.size.iter().map(|&points| u64::from(points)).product::<u64>();
+        if points > MOST_POINTS {
+            let [x, y, z] = self.size;
+            return argument(format!(
+                "a grid of {x} x {y} x {z} points is too large, at most {MOST_POINTS} are counted: choose a smaller `--size`"
+            ));
+        }
+        let points = points as usize;
+        // that of surface nets, too, which have a number for each point
+        memory::check((points * (GRID_BYTES + NET_BYTES)) as u64, GRID)?;
+        let mut distance = memory::zeros(points, GRID)?;
+        let mut is_seen = memory::zeros(points, GRID)?;
         let near = self.near(surfaces);
         let layers =
             distance.par_chunks_mut(width * height).zip(is_seen.par_chunks_mut(width * height));
+        let done = AtomicUsize::new(0);
         layers.enumerate().for_each(|(z, (distance, is_seen))| {
             for (at, (distance, is_seen)) in distance.iter_mut().zip(is_seen).enumerate() {
                 *distance = 1.0;
                 let at = [at % width, at / width, z];
-                if !near.contains(&at.map(|at| at as u32 / BLOCK)) {
+                if !near[self.block(at.map(|at| at as u32))].load(Relaxed) {
                     continue;
                 }
                 let place = self.low + self.cell * DVec3::from(at.map(|at| at as f64));
@@ -163,6 +197,7 @@ impl Grid {
                     *distance = (sum / views) as f32;
                 }
             }
+            progress(1 + done.fetch_add(1, Relaxed), self.size[2] as usize);
         });
         Ok(Distances { distance, is_seen })
     }
@@ -215,6 +250,8 @@ mod tests {
 
     use super::*;
 
+    const NO_BAR: &(dyn Fn(usize, usize) + Sync) = &|_, _| {};
+
     /// What cameras around a ball of radius 1 see of it; the red of a pixel is the ball's height there. One sees a small thing in
     /// front of it, too.
     fn ball() -> Vec<Surface> {
@@ -243,7 +280,7 @@ mod tests {
     #[test]
     fn the_mesh_of_a_ball_is_the_ball() {
         let limits = [[-1.5; 3], [1.5; 3]];
-        let mesh = Mesh::of_surfaces(&ball(), limits, 60, usize::MAX).unwrap();
+        let mesh = Mesh::of_surfaces(&ball(), limits, 60, usize::MAX, NO_BAR).unwrap();
         let cell = 3.0 / 60.0;
         let off = mesh.position.iter().map(|at| (DVec3::from(*at).length() - 1.0).abs());
         let mean = off.clone().sum::<f64>() / mesh.position.len() as f64;
@@ -269,14 +306,16 @@ mod tests {
     #[test]
     fn triangles_are_limited_and_what_is_not_seen_has_none() {
         let limits = [[-1.5; 3], [1.5; 3]];
-        let mesh = Mesh::of_surfaces(&ball(), limits, 60, 2000).unwrap();
+        let mesh = Mesh::of_surfaces(&ball(), limits, 60, 2000, NO_BAR).unwrap();
         assert!((1000..=2000).contains(&mesh.face.len()), "{}", mesh.face.len());
-        let one = Mesh::of_surfaces(&ball()[..1], limits, 60, usize::MAX).unwrap();
+        let one = Mesh::of_surfaces(&ball()[..1], limits, 60, usize::MAX, NO_BAR).unwrap();
         let eye = DVec3::from(ball()[0].camera.eye()).normalize();
         let is_before = |at: &[f64; 3]| DVec3::from(*at).dot(eye) > 0.0;
         assert!(one.position.iter().all(is_before), "the side that the camera sees");
-        assert!(Mesh::of_surfaces(&ball(), limits, 60, 3).is_err());
+        assert!(Mesh::of_surfaces(&ball(), limits, 60, 3, NO_BAR).is_err());
         let nothing = ball().into_iter().map(|view| Surface { depth: vec![0.0; 14_400], ..view });
-        assert!(Mesh::of_surfaces(&nothing.collect::<Vec<_>>(), limits, 60, 2000).is_err());
+        let large = Mesh::of_surfaces(&[], limits, 2048, usize::MAX, NO_BAR).unwrap_err();
+        assert!(large.to_string().contains("2050 x 2050 x 2050 points"), "{large}");
+        assert!(Mesh::of_surfaces(&nothing.collect::<Vec<_>>(), limits, 60, 2000, NO_BAR).is_err());
     }
 }

@@ -74,9 +74,12 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             progress.advance(1);
         }
     }
-    let mesh = console.during("putting surfaces together", || {
-        Mesh::of_surfaces(&surfaces, limits(&scene, &cameras), args.size, args.faces as usize)
-    })?;
+    let limits = limits(&scene, &cameras);
+    let mesh = {
+        let bar = console.progress("putting surfaces together", 0, "layers");
+        let progress = |done, all| bar.set_of(done, all);
+        Mesh::of_surfaces(&surfaces, limits, args.size, args.faces as usize, &progress)?
+    };
     let placement = &scene.config.placement;
     let up = placement.upward(&all);
     if let Some(left_out) = save_mesh(&mesh, &args.output, format, up, placement)? {

@@ -65,7 +65,7 @@ fn photograph(sandbox: &Sandbox, file: &str) {
     let shown = file.into_own(&placement).unwrap();
     let background = built_in().config.background.map(|value| value as f32);
     for camera in &cameras {
-        let pixels = splats::render(&shown, camera, background).into_iter();
+        let pixels = splats::render(&shown, camera, background, false).into_iter();
         let bytes: Vec<_> = pixels.flat_map(|color| color.map(to_8_bit)).collect();
         let image = RgbImage::from_raw(camera.width, camera.height, bytes).unwrap();
         let name = camera.file_path.as_deref().unwrap();

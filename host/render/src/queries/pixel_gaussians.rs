@@ -40,6 +40,15 @@ impl PartSplats {
         })
     }
 
+    /// The Gaussians of a part's tile, with their splats.
+    pub fn in_tile(&self, tile: usize) -> impl Iterator<Item = (usize, [Vec4; 2])> {
+        let range = self.first[tile] as usize..self.first[tile + 1] as usize;
+        self.intersection[range].iter().map(|&pair| {
+            let at = pair as usize * VECTORS as usize;
+            (self.pair[pair as usize] as usize, [self.splat[at], self.splat[at + 1]])
+        })
+    }
+
     /// The Gaussians that reach a pixel of the image, which lies in the part's tile `tile`. `depth` gives a Gaussian's depth.
     pub fn at(
         &self,

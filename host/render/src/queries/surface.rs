@@ -2,10 +2,12 @@
 
 use std::slice::from_ref;
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3, Vec4};
+use organza_shaders::composite::{alpha, splat_distance};
+use organza_shaders::project::in_support;
 use rayon::prelude::*;
 
-use super::pixel_gaussians::{PartSplats, surface};
+use super::pixel_gaussians::PartSplats;
 use crate::pass::part::Part;
 use crate::stages::cut::PartTiles;
 use crate::{DeviceScene, Renderer};
@@ -39,12 +41,32 @@ struct Density {
     center: DVec3,
 }
 
-impl Density {
-    /// The place on the ray `t d` from the eye where the density `exp(-|B (t d - center)|^2 / 2)` is largest:
-    /// `t = (B d . B center) / |B d|^2`.
-    fn densest(&self, direction: DVec3) -> f64 {
-        let direction = self.to_ball * direction;
-        direction.dot(self.center) / direction.length_squared()
+/// A Gaussian in a pixel: the place on the ray where it is densest, and its weight, alpha of Eq. 12.
+type Reaching = [f32; 2];
+
+/// The median of the places, weighted: half of the weight is nearer. `None` if the sum of the weights is too small for a surface.
+fn median(mut left: &mut [Reaching]) -> Option<f32> {
+    let sum = |some: &[Reaching]| some.iter().map(|[_, weight]| f64::from(*weight)).sum::<f64>();
+    let all = sum(left);
+    if all.is_nan() || all < SOLID {
+        return None;
+    }
+    let mut half = 0.5 * all;
+    loop {
+        let middle = left.len() / 2;
+        let order = |a: &Reaching, b: &Reaching| a[0].total_cmp(&b[0]);
+        let (nearer, [depth, weight], farther) = left.select_nth_unstable_by(middle, order);
+        let before = sum(nearer);
+        let with = before + f64::from(*weight);
+        // sums may round, so an end of the rest is the median at last
+        if before >= half && !nearer.is_empty() {
+            left = nearer;
+        } else if with < half && !farther.is_empty() {
+            half -= with;
+            left = farther;
+        } else {
+            return Some(*depth);
+        }
     }
 }
 
@@ -89,6 +111,8 @@ impl Renderer {
             let [w, x, y, z] = turn.map(f64::from);
             let turn = DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize());
             let inverse = DVec3::from(log.map(|log| (-f64::from(log)).exp()));
+            // a larger or smaller ball has the same center; squares must be finite in f32
+            let inverse = inverse / inverse.max_element();
             let to_ball = DMat3::from_diagonal(inverse) * turn.transpose();
             Density { to_ball, center: to_ball * (DVec3::from(place.map(f64::from)) - eye) }
         };
@@ -117,22 +141,25 @@ impl Surface {
         densities: &[Density],
     ) {
         let [width, height] = [self.camera.width, self.camera.height].map(|side| side as i32);
-        let side = part_tiles.side as i32;
+        let side = SIDE as i32;
         let camera = &self.camera;
-        let in_tile = |(index, Tile { origin: [left, top], .. }): (usize, Tile)| {
-            let pixels = (0..side * side).map(move |at| (at, [left + at % side, top + at / side]));
-            let inside = pixels.filter(move |(_, [x, y])| *x < width && *y < height);
-            inside.map(move |(at, pixel)| {
-                let ray = camera.ray(pixel.map(|at| f64::from(at) + 0.5));
-                let mut reaching =
-                    splats.at(index, pixel, |gaussian| densities[gaussian].densest(ray));
-                let depth = surface(&mut reaching).filter(|(_, sum)| *sum >= SOLID);
+        let in_tile = |(index, tile): (usize, Tile)| {
+            let [left, top] = tile.origin;
+            let reaching = reaching(camera, tile, splats.in_tile(index), densities);
+            let pixels = (0..).zip(reaching);
+            let pixels =
+                pixels.map(move |(at, all)| (at, [left + at % side, top + at / side], all));
+            let inside = pixels.filter(move |(_, [x, y], _)| *x < width && *y < height);
+            inside.map(move |(at, [x, y], mut all)| {
                 let channel = |channel: i32| {
                     image[((3 * index as i32 + channel) * side * side + at) as usize]
                 };
                 let color = [0, 1, 2].map(|at| to_8_bit(channel(at)));
-                let place = (pixel[1] * width + pixel[0]) as usize;
-                (place, depth.map_or(0.0, |(depth, _)| depth.max(0.0) as f32), color)
+                (
+                    (y * width + x) as usize,
+                    median(&mut all).map_or(0.0, |depth| depth.max(0.0)),
+                    color,
+                )
             })
         };
         let tiles = part_tiles.tiles.par_iter().map(|tile| tile.tile).enumerate();
@@ -143,12 +170,75 @@ impl Surface {
     }
 }
 
+/// The Gaussians that reach each pixel of a tile, row by row.
+///
+/// A place is where the density `exp(-|B (t d - center)|^2 / 2)` is largest on the ray `t d` from the eye: `t = (B d . B center) / |B d|^2`.
+/// Rays change evenly from pixel to pixel, and so does B d. A row is computed at once, by vector instructions.
+fn reaching(
+    camera: &Camera,
+    tile: Tile,
+    gaussians: impl Iterator<Item = (usize, [Vec4; 2])>,
+    densities: &[Density],
+) -> Vec<Vec<Reaching>> {
+    const ROW: usize = SIDE as usize;
+    let mut pixels = vec![Vec::new(); ROW * ROW];
+    let [left, top] = tile.origin.map(|at| at as f32 + 0.5);
+    let ray = |x: f32, y: f32| camera.ray([left + x, top + y].map(f64::from));
+    let corner = ray(0.0, 0.0);
+    let steps = [ray(1.0, 0.0) - corner, ray(0.0, 1.0) - corner];
+    let ramp: [f32; ROW] = std::array::from_fn(|x| x as f32);
+    for (gaussian, [placed, conic]) in gaussians {
+        let Density { to_ball, center } = &densities[gaussian];
+        let [first, across, down] = [corner, steps[0], steps[1]].map(|ray| *to_ball * ray);
+        let center = center.as_vec3();
+        let across = across.as_vec3();
+        for (row, pixels) in pixels.chunks_exact_mut(ROW).enumerate() {
+            let y = top + row as f32;
+            let q = ramp.map(|x| splat_distance(placed, conic, left + x, y));
+            if !q.iter().any(|q| in_support(*q)) {
+                continue;
+            }
+            let begin = (first + row as f64 * down).as_vec3();
+            let depth = ramp.map(|x| {
+                let direction = begin + x * across;
+                direction.dot(center) / direction.length_squared()
+            });
+            for ((pixel, q), depth) in pixels.iter_mut().zip(q).zip(depth) {
+                if in_support(q) {
+                    pixel.push([depth, alpha(placed, q)]);
+                }
+            }
+        }
+    }
+    pixels
+}
+
 #[cfg(test)]
 mod tests {
     use muslin_check::devices;
 
     use super::*;
     use organza_core::scene::Scene;
+
+    /// By sorting, as it is defined.
+    #[test]
+    fn the_median_has_half_of_the_weight_before_it() {
+        let value = |at: usize, of: usize| ((at * of + at * at) % 97) as f32 / 97.0;
+        for count in 1..60 {
+            let mut all: Vec<Reaching> =
+                (0..count).map(|at| [value(at, 31) - 0.3, value(at, 57) + 0.01]).collect();
+            let sum: f32 = all.iter().map(|[_, weight]| weight).sum();
+            let found = median(&mut all);
+            all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            let mut before = 0.0;
+            let half = all.iter().find(|[_, weight]| {
+                before += weight;
+                before >= 0.5 * sum
+            });
+            let expected = half.filter(|_| f64::from(sum) >= SOLID).map(|[depth, _]| *depth);
+            assert_eq!(found, expected, "{count}");
+        }
+    }
 
     /// Flat Gaussians on a plane, whose depth at each pixel is known.
     #[test]

@@ -282,7 +282,7 @@ pub fn is_unread(path: &Path) -> bool {
 }
 
 /// What to do with files that are [not read](is_unread).
-pub const CONVERT: &str = "HEIC, TIFF, AVIF, WebP, and DNG and other raw files are not read: convert them to JPEG or PNG first";
+pub const CONVERT: &str = "HEIC, TIFF, AVIF, WebP, and DNG and other raw files are not read: convert them to JPEG first, or to PNG";
 
 /// Whether a file's name has a video's ending.
 pub fn is_video(path: &Path) -> bool {

@@ -294,7 +294,7 @@ fn other_sources_are_pointed_to() {
     let folder = nerfstudio_folder(&transforms(1));
     let image = folder.path().join("images/0.png");
     fs::rename(&image, image.with_extension("tif")).unwrap();
-    assert_refused(folder.path(), &["images/0.tif is there", "convert them to JPEG or PNG"]);
+    assert_refused(folder.path(), &["images/0.tif is there", "convert them to JPEG first"]);
 }
 
 #[test]

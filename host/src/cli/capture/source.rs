@@ -90,9 +90,7 @@ impl<'a> Source<'a> {
         let taken = match (own.photographs.is_empty(), below.photographs.first()) {
             (true, None) if own.unread + below.unread > 0 => {
                 let path = path.display();
-                return refuse(format!(
-                    "{path} has {unread} in a format that is not read: {CONVERT}"
-                ));
+                return refuse(format!("{path} has only {unread} of other formats: {CONVERT}"));
             }
             (true, Some(first)) => {
                 console

@@ -91,7 +91,7 @@ impl Place {
         }
         match scale > 0.0 && scale.is_finite() {
             true => Ok(()),
-            false => refuse(format!("`scale` is {scale}, expected a positive number")),
+            false => refuse(format!("`scale` is {scale:?}, expected a positive number")),
         }
     }
 }
@@ -245,7 +245,7 @@ impl Placement {
         if !(LARGEST.recip()..=LARGEST).contains(&times) {
             let scale = put.scale;
             let reason =
-                format!("`scale` is {scale}, which makes the scene {times:e} times as large");
+                format!("`scale` is {scale:?}, which makes the scene {times:e} times as large");
             return refuse(format!("{reason}, expected {:e} to {LARGEST:e}", LARGEST.recip()));
         }
         if !place.offset.iter().all(|x| x.abs() <= FARTHEST) {

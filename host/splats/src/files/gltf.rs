@@ -30,8 +30,9 @@ const ORTHONORMAL: f64 = 1e-4;
 /// glTF's code for components of type float.
 pub(super) const FLOAT: u32 = 5126;
 const BYTE: u32 = 5121;
-/// Types of components: glTF's code, bytes, the value of the first bytes, and what is 1 in normalized values.
-const COMPONENTS: [(u32, usize, fn(&[u8]) -> f32, f32); 5] = [
+/// A type of components: glTF's code, bytes, the value of the first bytes, and what is 1 in normalized values.
+type Component = (u32, usize, fn(&[u8]) -> f32, f32);
+const COMPONENTS: [Component; 5] = [
     (5120, 1, |bytes| f32::from(bytes[0].cast_signed()), 127.0),
     (BYTE, 1, |bytes| f32::from(bytes[0]), 255.0),
     (5122, 2, |bytes| f32::from(i16::from_le_bytes([bytes[0], bytes[1]])), 32_767.0),

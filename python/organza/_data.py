@@ -81,11 +81,12 @@ def load_dataset(
     hold_out_every: int = 8,
     background: Sequence[float] | None = None,
     allow_outside: bool = False,
+    scene: _organza.Scene | None = None,
 ) -> Dataset:
     """Reads a data set of nerfstudio, Blender or COLMAP: a folder, or a `transforms.json`.
 
     Photographs become smaller by the factor `downscale`. Every `hold_out_every`-th is held out, beginning with the first; 0 holds
-    none out. `background` is red, green and blue, 0 to 1: what photographs with an alpha channel are put in front of. The data set
+    none out. With a `scene` that was trained on some of them, those are held out that it has not seen. `background` is red, green and blue, 0 to 1: what photographs with an alpha channel are put in front of. The data set
     may name files outside its own folder only with `allow_outside`.
 
     Raises `FileNotFoundError`, and `ValueError` for what is damaged or not supported. What may be wrong with the data set is a
@@ -94,7 +95,7 @@ def load_dataset(
     color = None if background is None else [float(value) for value in background]
     if color is not None and len(color) != 3:
         raise ValueError(f"`background` has {len(color)} values, expected red, green and blue")
-    core = _organza.Dataset.load(path, downscale, hold_out_every, color, allow_outside)
+    core = _organza.Dataset.load(path, downscale, hold_out_every, color, allow_outside, scene)
     for note in core.notes:
         warnings.warn(note, stacklevel=2)
     return Dataset(core)

@@ -103,6 +103,7 @@ class Dataset:
         hold_out_every: int,
         background: Sequence[float] | None,
         allow_outside: bool,
+        scene: Scene | None,
     ) -> Dataset: ...
     @staticmethod
     def built_in(renderer: Renderer, views: int, side: int, hold_out_every: int) -> Dataset: ...

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray, PyArray3};
 use organza::data::{Background, DatasetOptions, Frame};
-use organza::scene::Placement;
 use organza::train::built_in;
 use organza::train::config::DataConfig;
 use pyo3::exceptions::PyIndexError;
@@ -16,6 +15,7 @@ use crate::cameras::Cameras;
 use crate::error::raise;
 use crate::job;
 use crate::renderer::Renderer;
+use crate::scene::Scene;
 
 /// Photographs with poses.
 #[pyclass(frozen, module = "organza")]
@@ -28,7 +28,7 @@ pub struct Dataset {
 #[pymethods]
 impl Dataset {
     #[staticmethod]
-    #[pyo3(signature = (path, downscale, hold_out_every, background, allow_outside))]
+    #[pyo3(signature = (path, downscale, hold_out_every, background, allow_outside, scene))]
     fn load(
         py: Python<'_>,
         path: PathBuf,
@@ -36,6 +36,7 @@ impl Dataset {
         hold_out_every: usize,
         background: Option<[f32; 3]>,
         allow_outside: bool,
+        scene: Option<&Scene>,
     ) -> PyResult<Self> {
         let mut data = DataConfig::default();
         data.path = Some(absolute(&path).unwrap_or(path));
@@ -43,7 +44,11 @@ impl Dataset {
         data.hold_out_every = hold_out_every;
         data.background = background.map_or(Background::Auto, Background::Color);
         data.allow_outside = allow_outside;
-        Self::open(py, data, None, None)
+        let options = DatasetOptions {
+            trained_on: scene.and_then(|scene| scene.0.config.trained_on.clone()),
+            ..data.options()
+        };
+        Self::open(py, data, options, None)
     }
 
     #[staticmethod]
@@ -58,7 +63,8 @@ impl Dataset {
         data.built_in_views = views;
         data.built_in_side = side;
         data.hold_out_every = hold_out_every;
-        Self::open(py, data, None, Some(&renderer.0))
+        let options = data.options();
+        Self::open(py, data, options, Some(&renderer.0))
     }
 
     /// Pixels of a photograph as bytes, `[H, W, 3]`.
@@ -126,18 +132,15 @@ impl Dataset {
 }
 
 impl Dataset {
-    /// Reads a data set according to the settings, in the coordinates of a scene if there is one. Photographs of the built-in scene are rendered.
+    /// Reads a data set according to the settings and the options made of them. Photographs of the built-in scene are rendered.
     pub fn open(
         py: Python<'_>,
         data: DataConfig,
-        placement: Option<Placement>,
+        options: DatasetOptions,
         renderer: Option<&organza::Renderer>,
     ) -> PyResult<Self> {
         let dataset = match (data.path.clone(), renderer.cloned()) {
-            (Some(path), _) => {
-                let options = DatasetOptions { placement, ..data.options() };
-                job::run(py, move || organza::Dataset::load(path, &options))?
-            }
+            (Some(path), _) => job::run(py, move || organza::Dataset::load(path, &options))?,
             (None, Some(renderer)) => {
                 let views = data.built_in_views;
                 let side = data.built_in_side;

@@ -51,9 +51,17 @@ pub fn export<'py>(
     let (psnr, gaussians, first_psnr, beside, offset) =
         job::run_while_awaited(py, move |awaited| {
             let placement = scene.config.placement;
-            let dataset = dataset.map(|data| match data.placement == placement {
-                true => data,
-                false => Arc::new(organza::Dataset::clone(&data).placed(placement)),
+            let dataset = dataset.map(|data| {
+                let split = scene.config.trained_on.as_ref().and_then(|known| data.split_as(known));
+                if data.placement == placement && split.is_none() {
+                    return data;
+                }
+                let mut data = organza::Dataset::clone(&data).placed(placement);
+                if let Some([train, held_out]) = split {
+                    data.train = train;
+                    data.held_out = held_out;
+                }
+                Arc::new(data)
             });
             let views = match (cameras, &dataset) {
                 (Some(cameras), _) => Views::from_cameras(cameras),

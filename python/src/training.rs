@@ -8,6 +8,7 @@ use std::thread::JoinHandle;
 
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray4};
 use organza::Renderer as Device;
+use organza::data::DatasetOptions;
 use organza::render::{LossBatch, LossGradient, OwnLoss};
 use organza::train::report::Reporter;
 use organza::train::{self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, RunFolder, Session};
@@ -115,7 +116,8 @@ impl Training {
             // its warnings are known
             Some(dataset) => Arc::clone(&dataset.dataset),
             None => {
-                let read = Dataset::open(py, config.data.clone(), placement, Some(&renderer.0))?;
+                let options = DatasetOptions { placement, ..config.data.options() };
+                let read = Dataset::open(py, config.data.clone(), options, Some(&renderer.0))?;
                 let warnings = read.dataset.notes.iter().cloned().map(Message::Warning);
                 warnings.for_each(|warning| drop(messages.send(warning)));
                 read.dataset

@@ -106,5 +106,6 @@ pub fn config() -> SceneConfig {
         aabb: [[-half; 3], [half; 3]],
         contraction: Contraction::None,
         placement: Placement::default(),
+        trained_on: None,
     }
 }

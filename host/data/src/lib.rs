@@ -40,7 +40,7 @@ pub use options::{Alpha, Background, DatasetOptions};
 use organza_core::error::Error;
 use organza_core::error::invalid;
 use organza_core::input::{has_extension, read_json};
-use organza_core::scene::Placement;
+use organza_core::scene::{Placement, TrainedOn};
 use organza_core::{Camera, Result};
 pub use photograph::{DatasetKind, Frame, Photograph, Point};
 pub use poses::{Pose, Poses, kind_of};
@@ -138,6 +138,17 @@ impl Dataset {
             }
         }
         self
+    }
+
+    /// Indices of the frames to train on and of the held-out ones, as in the training of a scene. `None` if the data set has
+    /// none of its photographs, or has the same ones already.
+    #[must_use]
+    pub fn split_as(&self, trained_on: &TrainedOn) -> Option<[Vec<usize>; 2]> {
+        let held_out = trained_on.held_out_of(self.frames.iter().map(|frame| &*frame.name))?;
+        let mut used = [&self.train[..], &self.held_out].concat();
+        used.sort_unstable();
+        let (held_out, train) = used.into_iter().partition(|&index| held_out[index]);
+        (held_out != self.held_out).then_some([train, held_out])
     }
 
     /// The frames to train on.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use organza_core::error::{Result, argument};
-use organza_core::scene::Placement;
+use organza_core::scene::{Placement, TrainedOn};
 use serde::{Deserialize, Serialize};
 
 /// Options for reading photographs, and for the choice of held-out frames.
@@ -35,6 +35,8 @@ pub struct DatasetOptions {
     /// The coordinates of cameras and points: a scene's placement, or [`Placement::default`] for the files' own coordinates.
     /// `None` chooses a placement from the cameras: see [`Placement::of`].
     pub placement: Option<Placement>,
+    /// What a scene was trained on. If the data set has any of these photographs, those are held out that the scene has not seen.
+    pub trained_on: Option<TrainedOn>,
 }
 
 impl Default for DatasetOptions {
@@ -47,6 +49,7 @@ impl Default for DatasetOptions {
             alpha: Alpha::default(),
             allow_outside: false,
             placement: None,
+            trained_on: None,
         }
     }
 }

@@ -90,6 +90,11 @@ impl Poses {
                 format!("none of the {all} photographs exists; the first should be {first}{hint}");
             return invalid(path, reason);
         }
+        let names = poses.shots.iter().map(|shot| &*shot.name);
+        let held_out = options.trained_on.as_ref().and_then(|known| known.held_out_of(names));
+        for (shot, held_out) in poses.shots.iter_mut().zip(held_out.into_iter().flatten()) {
+            shot.held_out = held_out;
+        }
         let shots = poses.shots.iter();
         let known = shots.map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
         poses.dataset.fingerprint = Fingerprint::new(known, &poses.dataset.points);
@@ -248,11 +253,11 @@ impl Poses {
         }
     }
 
-    /// Keeps only the held-out frames, or only the ones to train on. Nothing else is read. Photographs look the same as
-    /// in the whole data set.
+    /// Keeps only the frames for which `takes` is true. Its argument is whether the frame is held out. Nothing else is read.
+    /// Photographs look the same as in the whole data set.
     #[must_use]
-    pub fn only(mut self, held_out: bool) -> Self {
-        self.shots.retain(|shot| shot.held_out == held_out);
+    pub fn only(mut self, takes: impl Fn(bool) -> bool) -> Self {
+        self.shots.retain(|shot| takes(shot.held_out));
         self.is_part = true;
         self
     }

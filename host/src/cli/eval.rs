@@ -66,16 +66,14 @@ impl Args {
     /// Reads the scene and the photographs, and compares them.
     fn evaluate(&self, console: Console) -> Result<Evaluation> {
         let source = SceneSource::find(&self.scene)?;
-        let mut settings = self.data_args.settings(&source, self.data.as_deref())?;
         let split = self.data_args.split(Split::HeldOut);
-        if split == Split::All {
-            // Frames that the run held out are measured like all others.
-            settings.hold_out_every = 0;
-        }
         let scene = source.load(console)?;
         let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
-        settings.background = self.background.unwrap_or(Background::Color(of_scene));
-        let data = DataSet::of(&source, self.data.as_deref(), settings, console)?.only(split);
+        let background = self.background.unwrap_or(Background::Color(of_scene));
+        let named = self.data.as_deref();
+        let data = DataSet::of(&source, named, &self.data_args, Some(background), console)?;
+        data.say_doubt(split, console);
+        let data = data.only(split);
         let renderer = self.device.open(console)?;
         let dataset = data.read(&renderer, console)?;
         let frames = frames(self, &dataset, split)?;

@@ -175,8 +175,8 @@ fn load_views(
         };
         return Ok((views, None));
     }
-    let settings = args.data.settings(source, named)?;
-    let data = DataSet::of(source, named, settings, console)?;
+    let data = DataSet::of(source, named, &args.data, None, console)?;
+    data.say_doubt(Split::HeldOut, console);
     let (held_out, fitted): (Vec<_>, _) =
         data.cameras()?.into_iter().partition(|pose| pose.held_out);
     let has_held_out = !held_out.is_empty();

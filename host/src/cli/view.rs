@@ -184,8 +184,7 @@ fn surroundings(
             return Ok((poses, Photographs::default(), Vec::new()));
         }
     }
-    let settings = args.data_args.settings(source, named)?;
-    let data = DataSet::of(source, named, settings, console)?;
+    let data = DataSet::of(source, named, &args.data_args, None, console)?;
     let poses = data.cameras()?;
     let (photographs, points) = data.photographs();
     Ok((poses, photographs, points))

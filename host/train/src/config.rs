@@ -18,9 +18,11 @@ pub use table::{
 
 use muslin_device::Device;
 use organza_core::input::read_text;
-use organza_core::scene::{FieldTensors, GaussianTensors, Placement, SceneConfig, Tensors};
+use organza_core::scene::{
+    FieldTensors, GaussianTensors, Placement, SceneConfig, Tensors, TrainedOn,
+};
 use organza_core::{Error, Result, gaussian_tensors, write_atomic};
-use organza_data::{Background, Dataset, DatasetOptions, Frame};
+use organza_data::{Alpha, Background, Dataset, DatasetOptions, Frame};
 use serde::{Deserialize, Serialize};
 use table::within;
 
@@ -39,6 +41,18 @@ impl DataConfig {
             alpha: self.alpha,
             allow_outside: self.allow_outside,
             placement: None,
+            trained_on: None,
+        }
+    }
+
+    /// What a scene is trained on with these settings.
+    pub(crate) fn trained_on(&self, dataset: &Dataset) -> TrainedOn {
+        let name = |frame: &Frame| frame.name.clone();
+        TrainedOn {
+            seen: dataset.train_frames().map(name).collect(),
+            held_out: dataset.held_out_frames().map(name).collect(),
+            downscale: self.downscale,
+            alpha_is_mask: self.alpha == Alpha::Mask,
         }
     }
 }
@@ -190,6 +204,7 @@ impl TrainConfig {
             aabb,
             contraction: shape.contraction,
             placement: Placement::default(),
+            trained_on: None,
         }
     }
 

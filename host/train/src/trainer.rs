@@ -124,6 +124,7 @@ impl Trainer {
         let device = renderer.device();
         let count = cameras.len();
         let mut state = TrainerState::new(renderer, &config, checkpoint)?;
+        state.scene.set_trained_on(config.data.trained_on(&dataset));
         let mut poses = None;
         if config.poses.refine {
             let learned = per_photograph_or_start(checkpoint.poses.as_ref(), count, "poses")?;

@@ -111,6 +111,7 @@ impl Recipe {
             aabb: [[-1.5, -1.2, -1.0], [1.5, 1.2, 1.4]],
             contraction: Contraction::None,
             placement: Placement::default(),
+            trained_on: None,
         };
         for grid in [&config.color_grid, &config.transmittance_grid] {
             let hashed = grid.levels_geometry().iter().filter(|level| level.hashed).count();

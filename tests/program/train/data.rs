@@ -106,6 +106,38 @@ fn a_data_set_that_has_moved_is_named() {
     sandbox.shell("mkdir elsewhere && cd elsewhere && \"$ORGANZA\" eval ../run").assert_ok();
 }
 
+/// A run, its checkpoint and its edited scene are measured on the frames that training has not seen.
+#[test]
+fn a_scene_knows_its_held_out_frames() {
+    let sandbox = sandbox();
+    let hold_out = "--hold-out-every 3 --set data.hold_out_length=2";
+    sandbox.run(&format!("{TINY} run --steps 5 {hold_out}")).assert_ok();
+    let edit = "edit run -o edited.safetensors --min-contribution=0.001 --backend cpu";
+    sandbox.run(edit).assert_ok();
+    let eval = |words: &str| sandbox.run(&format!("eval {words} --backend cpu --json"));
+    let run = eval("run").json();
+    assert_eq!(eval("run/checkpoint.safetensors views").json(), run);
+    let names = |found: &serde_json::Value| -> Vec<_> {
+        found["views"].as_array().expect("views").iter().map(|view| view["name"].clone()).collect()
+    };
+    let edited = eval("edited.safetensors views").says_not(&["held out here"]).json();
+    assert_eq!(names(&edited), names(&run));
+    // others, in another order, and fewer
+    reorder(&sandbox);
+    assert_eq!(names(&eval("edited.safetensors views").json()).len(), names(&run).len());
+    let seen = "warning: edited.safetensors was trained on";
+    eval("edited.safetensors views --hold-out-every 2").assert_ok().says(&[seen]);
+    // a scene that does not say, and names that do not fit
+    sandbox.edit_tensors("edited.safetensors", |metadata, _| {
+        let config = metadata.get_mut("config").expect("it has one");
+        *config = config.replace("view-", "other-");
+    });
+    eval("edited.safetensors views").assert_ok().says(&["no frame here has the name of one"]);
+    eval("scene.safetensors views")
+        .assert_ok()
+        .says(&["scene.safetensors does not say what it was trained on"]);
+}
+
 /// Two steps draw far fewer pixels than two photographs of 3200 x 64 have.
 #[test]
 fn large_photographs_shrink_to_what_the_steps_draw() {
@@ -129,8 +161,12 @@ fn large_photographs_shrink_to_what_the_steps_draw() {
         (config.data.downscale, said)
     };
     assert_eq!(downscale("run", &train.replace('@', "run")), (2, true));
-    let info = sandbox.run("eval run --split train --backend cpu --json").json();
+    let eval = |words: &str| {
+        sandbox.run(&format!("eval {words} --split train --backend cpu --json")).json()
+    };
+    let info = eval("run");
     assert_eq!(info["views"].as_array().map(Vec::len), Some(2), "{info}");
+    assert_eq!(eval("run/checkpoint.safetensors views"), info);
     let whole = train.replace('@', "whole --downscale 1");
     assert_eq!(downscale("whole", &whole), (1, false));
     let again = "train views -o again --config whole/config.toml --backend cpu";

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::grid::GridConfig;
 use super::placement::Placement;
+use super::trained_on::TrainedOn;
 use crate::error::{Error, Result, bad_config};
 
 /// Largest number of hidden layers in a network.
@@ -66,6 +67,9 @@ pub struct SceneConfig {
     /// Where the scene lies in the world. A file without this field has the world's own coordinates.
     #[serde(default, skip_serializing_if = "Placement::is_identity")]
     pub placement: Placement,
+    /// The photographs that the scene was trained on. A file without this field does not say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub trained_on: Option<TrainedOn>,
 }
 
 /// Treatment of space outside the scene's box. `docs/pipeline.md` has the equations.
@@ -307,6 +311,7 @@ mod tests {
             ("contraction", "\"cube\"", SceneConfig { contraction: Contraction::Cube, ..basic() }),
             ("antialiased", "true", SceneConfig { antialiased: true, ..basic() }),
             ("placement", "{", SceneConfig { placement, ..basic() }),
+            ("trained_on", "{", SceneConfig { trained_on: Some(TrainedOn::default()), ..basic() }),
         ] {
             assert!(!usual.contains(field), "{usual}");
             let text = serde_json::to_string(&config).unwrap();

@@ -10,6 +10,7 @@ mod placement;
 mod tensor_file;
 mod tensor_spec;
 mod tensors;
+mod trained_on;
 mod validate;
 
 #[cfg(test)]
@@ -33,6 +34,7 @@ pub use tensor_file::{
 };
 pub use tensor_spec::TensorSpec;
 pub use tensors::{FieldTensors, Tensors};
+pub use trained_on::TrainedOn;
 
 use std::path::Path;
 

@@ -10,7 +10,7 @@ use super::occupancy::Occupancy;
 use super::packed::{pack, replace_gaussians, unpack};
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Result, argument};
-use organza_core::scene::{Gaussians, Placement, Scene, SceneConfig, Tensors};
+use organza_core::scene::{Gaussians, Placement, Scene, SceneConfig, Tensors, TrainedOn};
 
 /// A scene whose tensors lie on a device. A clone is the same scene, on the same memory.
 #[derive(Clone, Debug)]
@@ -46,6 +46,11 @@ impl DeviceScene {
     /// The scene's configuration.
     pub fn config(&self) -> &SceneConfig {
         &self.config
+    }
+
+    /// Says what the scene is trained on.
+    pub fn set_trained_on(&mut self, trained_on: TrainedOn) {
+        self.config.trained_on = Some(trained_on);
     }
 
     /// Each tensor's values. Writing to them changes the scene. A grid of 16-bit floats has no values here.

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use clap::ValueEnum;
-use organza::data::{Background, Dataset, DatasetOptions, Point, Pose, Poses};
+use organza::data::{Alpha, Background, Dataset, DatasetOptions, Point, Pose, Poses};
 use organza::error::invalid;
-use organza::scene::Placement;
+use organza::scene::{Placement, TrainedOn};
 use organza::train::config::DataConfig;
 use organza::train::{Binding, CONFIG, Checkpoint, built_in};
 use organza::view::{PhotographSource, Photographs};
@@ -53,6 +53,9 @@ pub enum Split {
     All,
 }
 
+/// A warning or a note, and how it is said.
+type Doubt = (fn(Console, &str), String);
+
 /// A data set whose photographs have not been read yet.
 pub struct DataSet {
     settings: DataConfig,
@@ -62,6 +65,8 @@ pub struct DataSet {
     motions: Vec<Option<[f64; 6]>>,
     /// The frames of the built-in scene to render.
     split: Split,
+    /// Why scores of held-out frames may be too good.
+    doubt: Option<Doubt>,
 }
 
 impl DataArgs {
@@ -94,6 +99,10 @@ impl DataArgs {
             return Err(told_apart(error, scene.named(), FileKind::Scene));
         }
         let mut data = run.map(|config| config.data).unwrap_or_default();
+        if let Some(trained_on) = scene.trained_on() {
+            data.downscale = trained_on.downscale;
+            data.alpha = if trained_on.alpha_is_mask { Alpha::Mask } else { Alpha::Background };
+        }
         match named {
             Some(named) => {
                 fs::metadata(named).map_err(|source| Error::read(named, source))?;
@@ -143,7 +152,11 @@ impl DataSet {
         console: Console,
     ) -> Result<Self> {
         let options = DatasetOptions { placement: placement.into(), ..settings.options() };
-        let open = |path| Poses::load(path, &options);
+        Self::open_with(settings, &options, console)
+    }
+
+    fn open_with(settings: DataConfig, options: &DatasetOptions, console: Console) -> Result<Self> {
+        let open = |path| Poses::load(path, options);
         let poses = match &settings.path {
             Some(path) => Some(open(path).map_err(|e| told_apart(e, path, FileKind::DataSet))?),
             None => None,
@@ -163,18 +176,27 @@ impl DataSet {
             let side = data.built_in_side;
             console.detail(&format!("data set: {views} views of the built-in scene, side {side}"));
         }
-        Ok(Self { settings, poses, motions: Vec::new(), split: Split::All })
+        Ok(Self { settings, poses, motions: Vec::new(), split: Split::All, doubt: None })
     }
 
     /// [`Self::open`] for a scene. The data set of its run must be what the run was trained on, and gets the cameras that the
-    /// run has refined. One that the user has named is taken as it is, and a note says if it is another one.
+    /// run has refined. One that the user has named is taken as it is, and a note says if it is another one. The frames are held
+    /// out that the scene has not seen, unless options name others. `background` overrides the settings'.
     pub fn of(
         scene: &SceneSource,
         named: Option<&Path>,
-        settings: DataConfig,
+        args: &DataArgs,
+        background: Option<Background>,
         console: Console,
     ) -> Result<Self> {
-        let mut data = Self::open(settings, scene.placement(), console)?;
+        let mut settings = args.settings(scene, named)?;
+        settings.background = background.unwrap_or(settings.background);
+        let known = scene.trained_on();
+        let trained_on = known.clone().filter(|_| args.hold_out_every.is_none());
+        let placement = Some(scene.placement());
+        let options = DatasetOptions { placement, trained_on, ..settings.options() };
+        let mut data = Self::open_with(settings, &options, console)?;
+        data.doubt = data.doubt_of(scene, known.as_ref())?;
         let (run, binding) = match scene.settings()? {
             Some(run) => (run, Binding::load(scene.file())?),
             // a checkpoint alone also knows its run, and other files do not
@@ -183,7 +205,7 @@ impl DataSet {
                 Err(_) => return Ok(data),
             },
         };
-        let other = data.as_trained(&run.data)?;
+        let other = data.as_trained(&run.data, options, known)?;
         let trained = other.as_ref().or(data.poses.as_ref());
         if let Some(poses) = trained
             && let Some(what) = poses.difference(binding.data())
@@ -220,11 +242,56 @@ impl DataSet {
         Ok(data)
     }
 
+    /// Why scores of the held-out frames may be too good, if the scene may have been trained on some.
+    fn doubt_of(&self, scene: &SceneSource, known: Option<&TrainedOn>) -> Result<Option<Doubt>> {
+        let name = scene.named().display();
+        let Some(known) = known else {
+            let is_run = scene.settings()?.is_some();
+            let text = format!(
+                "{name} does not say what it was trained on: it may have seen the frames that are held out here"
+            );
+            return Ok((!is_run).then_some((Console::note, text)));
+        };
+        let poses = self.cameras()?;
+        let names = poses.iter().filter_map(|pose| pose.camera.file_path.as_deref());
+        if known.held_out_of(names).is_none() {
+            let text = format!(
+                "no frame here has the name of one that {name} was trained on: it may have seen these by other names"
+            );
+            return Ok(Some((Console::note, text)));
+        }
+        let held_out: Vec<_> = poses.iter().filter(|pose| pose.held_out).collect();
+        let seen =
+            known.seen_of(held_out.iter().filter_map(|pose| pose.camera.file_path.as_deref()));
+        let all = count(held_out.len() as u64, "frame");
+        let text = format!(
+            "{name} was trained on {seen} of the {all} held out here: their scores are too good"
+        );
+        Ok((seen > 0).then_some((Console::warn, text)))
+    }
+
+    /// Says why scores of held-out frames may be too good, if a command tells these from the others.
+    pub fn say_doubt(&self, split: Split, console: Console) {
+        if let Some((say, doubt)) = self.doubt.as_ref().filter(|_| split != Split::All) {
+            say(console, doubt);
+        }
+    }
+
+    /// The path of the data set; `None` for the built-in scene.
+    pub fn path(&self) -> Option<&Path> {
+        self.settings.path.as_deref()
+    }
+
     /// The poses as a run has read them, if options now hold out other frames or change the size.
-    fn as_trained(&self, run: &DataConfig) -> Result<Option<Poses>> {
-        let own = self.settings.options();
+    fn as_trained(
+        &self,
+        run: &DataConfig,
+        own: DatasetOptions,
+        trained_on: Option<TrainedOn>,
+    ) -> Result<Option<Poses>> {
         let DataConfig { downscale, hold_out_every, hold_out_length, .. } = *run;
-        let trained = DatasetOptions { downscale, hold_out_every, hold_out_length, ..own.clone() };
+        let rule = DatasetOptions { downscale, hold_out_every, hold_out_length, ..own.clone() };
+        let trained = DatasetOptions { trained_on, ..rule };
         match &self.settings.path {
             Some(path) if trained != own => Poses::load(path, &trained).map(Some),
             _ => Ok(None),
@@ -341,11 +408,7 @@ impl DataSet {
 
     /// The data set without unused photographs, which are not read. Ask for its cameras before.
     pub fn only(mut self, split: Split) -> Self {
-        self.poses = match (self.poses, split) {
-            (Some(poses), Split::HeldOut) => Some(poses.only(true)),
-            (Some(poses), Split::Train) => Some(poses.only(false)),
-            (poses, _) => poses,
-        };
+        self.poses = self.poses.map(|poses| poses.only(|held_out| split.takes(held_out)));
         self.split = split;
         let cameras = built_in::cameras(&self.settings);
         let mut cameras = cameras.iter();

@@ -17,7 +17,7 @@ use crate::cli::console::Console;
 use crate::cli::summary::count;
 use crate::cli::views::photographs;
 use organza::error::invalid;
-use organza::scene::Placement;
+use organza::scene::{Placement, TrainedOn};
 use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
 use organza::{Camera, Error, Result, Scene};
 
@@ -91,6 +91,11 @@ impl SceneSource {
         Scene::load_config(&self.file).map(|config| config.placement).unwrap_or_default()
     }
 
+    /// What the scene was trained on, if it says so.
+    pub fn trained_on(&self) -> Option<TrainedOn> {
+        Scene::load_config(&self.file).ok()?.trained_on
+    }
+
     /// The settings of the run, if the user named a run's folder.
     pub fn settings(&self) -> Result<Option<TrainConfig>> {
         if self.named.join(CONFIG).exists() {
@@ -152,12 +157,13 @@ impl Cameras {
         args: &DataArgs,
         console: Console,
     ) -> Result<Self> {
-        let settings = args.settings(scene, named)?;
-        let origin = settings.path.as_deref().unwrap_or(scene.named()).to_owned();
-        let poses = DataSet::of(scene, named, settings, console)?.cameras()?;
+        let data = DataSet::of(scene, named, args, None, console)?;
+        let origin = data.path().unwrap_or(scene.named()).to_owned();
+        let split = args.split(Split::All);
+        data.say_doubt(split, console);
+        let poses = data.cameras()?;
         let photographs = existing(poses.iter().filter_map(|pose| pose.photograph.clone()));
         let all = poses.iter().map(|pose| pose.camera.clone()).collect();
-        let split = args.split(Split::All);
         let chosen = poses.into_iter().filter(|pose| split.takes(pose.held_out));
         let list: Vec<_> = chosen.map(|pose| pose.camera).collect();
         if list.is_empty() {

@@ -6,6 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::data_place::{find, way};
 use crate::{CHECKPOINT, CONFIG, Progress, TrainConfig};
 use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
@@ -55,6 +56,9 @@ pub struct Binding {
     settings: String,
     /// Identifies the data set.
     data: Fingerprint,
+    /// The way from the run's folder to the data set.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    way: Option<String>,
     /// The version of the program.
     version: String,
     /// Earlier changes of settings, oldest first.
@@ -63,11 +67,17 @@ pub struct Binding {
 }
 
 impl Binding {
-    /// The binding of a run, with the history of its settings.
+    /// The binding of the run in a folder, with the history of its settings.
     #[must_use]
-    pub fn new(config: &TrainConfig, data: &Fingerprint, changes: Vec<Change>) -> Self {
+    pub fn new(
+        config: &TrainConfig,
+        data: &Fingerprint,
+        changes: Vec<Change>,
+        folder: &Path,
+    ) -> Self {
+        let way = config.data.path.as_ref().and_then(|data| way(folder, data));
         let version = VERSION.to_owned();
-        Self { settings: config.to_toml(), data: data.clone(), version, changes }
+        Self { settings: config.to_toml(), data: data.clone(), way, version, changes }
     }
 
     /// Changes in earlier resumes, oldest first.
@@ -200,7 +210,7 @@ fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap_or_else(|_| text.into())
 }
 
-/// The settings of the run in a folder, checked against its checkpoint.
+/// The settings of the run in a folder, checked against its checkpoint. The data set may have moved with the run.
 ///
 /// # Errors
 /// The same errors as [`TrainConfig::load`]. [`Error::Invalid`] if the folder holds no run, if a setting differs from
@@ -231,12 +241,17 @@ pub fn changed_settings_of(
         );
         return Err(Error::Invalid { origin: folder.to_owned(), reason });
     }
-    let config = TrainConfig::load(&path)?;
+    let mut config = TrainConfig::load(&path)?;
     if !fs::exists(&checkpoint).unwrap_or(true) {
+        find(&mut config.data.path, folder, None);
         config.check_complete(&path)?;
         return change(config);
     }
     let binding = Binding::load(&checkpoint)?;
+    // who has changed the path means another place
+    if binding.settings(&checkpoint)?.data.path == config.data.path {
+        find(&mut config.data.path, folder, binding.way.as_deref());
+    }
     let step = Progress::load(&checkpoint)?.step;
     // a truncated file does not mean that the user wants the defaults
     if !binding.check_settings(&config, step, folder)?.is_empty() {

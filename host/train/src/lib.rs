@@ -10,6 +10,7 @@ pub mod built_in;
 mod checkpoint;
 mod coarse;
 pub mod config;
+mod data_place;
 mod densification;
 pub mod evaluate;
 mod folder;
@@ -34,6 +35,7 @@ mod trainer;
 pub use binding::{Binding, CHANGEABLE, Change, changed_settings_of, settings_of};
 pub use checkpoint::{Checkpoint, Progress};
 pub use config::{ConfigBuilder, Preset, TrainConfig};
+pub use data_place::CAPTURED;
 pub use densification::DensificationStats;
 pub use evaluate::{Evaluation, evaluate};
 pub use folder::{

@@ -106,6 +106,36 @@ fn a_data_set_that_has_moved_is_named() {
     sandbox.shell("mkdir elsewhere && cd elsewhere && \"$ORGANZA\" eval ../run").assert_ok();
 }
 
+/// A run finds the data in its folder first, also beside the old one. Data elsewhere may move with the run.
+#[test]
+fn a_run_moves_with_its_data() {
+    let sandbox = sandbox();
+    let copy = "mkdir -p a/run && cp -r views a/run/data && cp -r views a/views";
+    sandbox.shell(copy).assert_ok();
+    for (data, run) in [("a/run/data", "a/run"), ("a/views", "a/beside")] {
+        let train = TINY.replace(" views ", &format!(" {data} "));
+        sandbox.run(&format!("{train} {run} --steps 5")).assert_ok();
+    }
+    let score = |run: &str| sandbox.run(&format!("eval {run} --backend cpu --json")).json();
+    let before = score("a/run");
+    sandbox.shell("cp -r a b && rm a/run/data/view-000.png").assert_ok();
+    assert_eq!(score("b/run"), before);
+    sandbox.shell("rm -r a && mv b c").assert_ok();
+    for words in [
+        "eval c/run",
+        "edit c/beside -o new.safetensors --clean 0.1",
+        "train --resume c/run --steps 9",
+    ] {
+        sandbox.run(&format!("{words} --backend cpu")).assert_ok();
+    }
+    sandbox.run("compare c/run c/beside").assert_ok();
+    let config = TrainConfig::load(sandbox.path("c/run").join(CONFIG)).unwrap();
+    assert_eq!(config.data.path, sandbox.path("c/run/data").canonicalize().ok());
+    // without a checkpoint, too
+    sandbox.shell("rm c/run/*.safetensors && mv c/run d").assert_ok();
+    sandbox.run("train --resume d --backend cpu").assert_ok();
+}
+
 /// A run, its checkpoint and its edited scene are measured on the frames that training has not seen.
 #[test]
 fn a_scene_knows_its_held_out_frames() {

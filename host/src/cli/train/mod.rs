@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use organza::error;
 use organza::evaluate::Score;
-use organza::train::{CHECKPOINT, CONFIG, Event, Outcome, REPORT, TrainConfig};
+use organza::train::{CAPTURED, CHECKPOINT, CONFIG, Event, Outcome, REPORT, TrainConfig};
 use organza::{Error, Result};
 use serde::Serialize;
 
@@ -43,9 +43,6 @@ Examples:
 RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
 checkpoint.safetensors (a scene that every other command accepts), checkpoint.best.safetensors (the one with the best \
 held-out views), evaluations.csv (the scores of each held-out view), report.html and pictures/ (its images).";
-
-/// The folder in a run for a data set that is made first.
-const CAPTURED: &str = "data";
 
 /// Train a scene on photographs or a video, or on the built-in scene
 #[derive(Debug, clap::Args)]

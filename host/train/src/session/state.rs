@@ -239,8 +239,9 @@ impl SessionState<'_, '_, '_> {
     fn save(&self, name: &str) -> Result<()> {
         let Session { dataset, folder, .. } = self.session;
         let config = self.trainer.config();
-        let binding = Binding::new(config, &dataset.fingerprint, self.changes.clone());
-        let path = folder.path().join(name);
+        let folder = folder.path();
+        let binding = Binding::new(config, &dataset.fingerprint, self.changes.clone(), folder);
+        let path = folder.join(name);
         self.trainer.checkpoint(self.seconds)?.save(&path, Some(&binding))?;
         if name == CHECKPOINT { self.save_cameras() } else { Ok(()) }
     }

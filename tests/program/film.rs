@@ -155,7 +155,7 @@ mod signals {
         let before = sandbox.files();
         let child = start(&sandbox, &format!("{FILM} --frames 9999 -o film.png"));
         wait_until("a new file", || sandbox.files().len() > before.len());
-        signal(&child, "TERM");
+        signal(&child, "TERM TERM");
         end(child).assert_refused(&["stopped by a signal"]);
         assert!(before == sandbox.files());
     }

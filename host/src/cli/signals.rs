@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use std::{io, thread};
 
 use organza::Result;
@@ -84,9 +84,19 @@ impl Begun {
     }
 }
 
-/// Calls `handler` at each Ctrl-C, SIGTERM and SIGHUP. Where SIGHUP is ignored, as under `nohup`, it stays ignored: a training must
-/// outlive the login.
-pub fn handle(handler: impl FnMut() + Send + 'static) -> Result<()> {
+/// Signals that come within this time of the first one are the same. `timeout`, Slurm and terminals signal a process and its group.
+const TOGETHER: Duration = Duration::from_millis(500);
+
+/// Calls `handler` at each Ctrl-C, SIGTERM and SIGHUP, and once for those that come together. Where SIGHUP is ignored, as under
+/// `nohup`, it stays ignored: a training must outlive the login.
+pub fn handle(mut handler: impl FnMut() + Send + 'static) -> Result<()> {
+    let mut first = None::<Instant>;
+    let handler = move || {
+        if first.is_none_or(|first| first.elapsed() >= TOGETHER) {
+            first.get_or_insert_with(Instant::now);
+            handler();
+        }
+    };
     #[cfg(unix)]
     // SAFETY: no handler runs before the next call
     let before = unsafe { libc::signal(libc::SIGHUP, libc::SIG_IGN) };

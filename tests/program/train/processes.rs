@@ -27,9 +27,10 @@ pub fn steps(folder: &Path) -> usize {
     text.lines().filter(|line| line.starts_with("{\"kind\":\"step\"")).count()
 }
 
-/// Sends a signal, such as `TERM`.
-pub fn signal(child: &Child, signal: &str) {
-    let kill = format!("kill -{signal} {}", child.id());
+/// Sends signals, such as `TERM`, one right after the other.
+pub fn signal(child: &Child, signals: &str) {
+    let kill = |signal: &str| format!("kill -{signal} {};", child.id());
+    let kill: String = signals.split(' ').map(kill).collect();
     assert!(Command::new("sh").args(["-c", &kill]).status().expect("a shell").success());
 }
 

@@ -28,24 +28,33 @@ fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
     }
 }
 
-/// The program's messages are not read, so writing them blocks.
+/// What the program writes is not read, so writing blocks: its messages, or its results after the first signal.
 #[test]
-fn a_signal_is_not_swallowed_where_standard_error_blocks() {
+fn a_signal_is_not_swallowed_where_output_blocks() {
     let sandbox = sandbox();
     sandbox.shell("mkfifo pipe").assert_ok();
     // a page is the unit in which pipes are filled
     let fill = "dd if=/dev/zero of=pipe bs=4096 oflag=nonblock 2>/dev/null";
-    let script = format!("exec 3<>pipe; {fill}; exec \"$ORGANZA\" {TINY} run 2>&3");
-    let mut child = sandbox.shell_command(&script).spawn().expect("a shell");
+    let start = |words: &str| {
+        let script = format!("exec 3<>pipe; {fill}; exec \"$ORGANZA\" {TINY} {words}");
+        start_command(sandbox.shell_command(&script))
+    };
+    let mut child = start("run 2>&3");
     // The folder is locked, and the next message names the device.
     wait_until("the folder is locked", || sandbox.path("run/.organza-lock").exists());
     thread::sleep(Duration::from_millis(500));
     signal(&child, "TERM");
     assert_eq!(wait_for_end(&mut child), Some(2));
     assert!(!sandbox.path("run").exists());
+    let child = start("run --steps 100000 --json >&3");
+    wait_until("a first step", || steps(&sandbox.path("run")) > 0);
+    signal(&child, "TERM");
+    thread::sleep(Duration::from_millis(600));
+    signal(&child, "TERM");
+    end(child).assert_refused(&["stopped by a second signal"]);
 }
 
-/// After each step, half of the views are measured.
+/// After each step, half of the views are measured. `timeout` sends two signals at once, which are one.
 #[test]
 fn a_signal_while_measuring_saves_and_stops() {
     let sandbox = sandbox();
@@ -53,7 +62,7 @@ fn a_signal_while_measuring_saves_and_stops() {
     let words = format!("{TINY} run --steps 100000 --hold-out-every 2 --evaluate-every 1");
     let child = start(&sandbox, &words);
     wait_until("a first step", || steps(&sandbox.path("run")) > 0);
-    signal(&child, "TERM");
+    signal(&child, "TERM TERM");
     end(child).assert_ok().says(&["saved; `organza train --resume run`"]);
     assert!(sandbox.path("run/checkpoint.safetensors").exists());
     assert!(!sandbox.path("run/.organza-lock").exists());

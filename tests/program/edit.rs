@@ -158,6 +158,14 @@ fn a_run_is_edited_and_every_command_takes_the_result() {
     let words = "run --min-contribution --clean 0.1";
     let (report, _) = edit(&sandbox, words);
     crate::flags::assert_documented("edit", std::slice::from_ref(&report));
+    let held_out = |scene: &str| {
+        let words = format!("eval {scene} --backend cpu --json");
+        sandbox.run(&words).json()["mean"]["psnr"].clone()
+    };
+    assert_eq!(report["held_out"]["psnr_before"], held_out("run"));
+    assert_eq!(report["held_out"]["psnr"], held_out("edited.safetensors views"));
+    let faint = "edit run -o faint.safetensors --min-contribution=40 --backend cpu";
+    sandbox.run(faint).assert_ok().says(&["warning: this costs"]);
     let text = sandbox.run(&format!("edit {words} -o again.safetensors --backend cpu")).assert_ok();
     for fact in ["before", "in no view", "after"] {
         assert!(text.stdout.contains(fact), "{text:?}");

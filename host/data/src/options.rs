@@ -126,6 +126,13 @@ impl Background {
     }
 }
 
+impl From<[f64; 3]> for Background {
+    /// The background of a scene, which may be brighter than photographs.
+    fn from(color: [f64; 3]) -> Self {
+        Self::Color(color.map(|value| value.clamp(0.0, 1.0) as f32))
+    }
+}
+
 impl FromStr for Background {
     type Err = String;
 

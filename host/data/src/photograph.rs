@@ -85,7 +85,7 @@ impl Photograph {
     }
 
     /// Whether no pixel is valid.
-    pub(super) fn is_hidden(&self) -> bool {
+    pub fn is_hidden(&self) -> bool {
         self.valid().is_some_and(|valid| !valid.contains(&true))
     }
 

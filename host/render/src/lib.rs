@@ -34,7 +34,7 @@ pub use loss::own::{LossBatch, LossGradient, OwnLoss};
 pub use pass::loss_gradient::QueuedLoss;
 pub use pass::renderer::Renderer;
 pub use pass::tape::Tape;
-pub use queries::contribution::Contributions;
+pub use queries::contribution::{Contributions, PixelColor};
 pub use queries::eye::{EyeCache, EyeOptions, FieldWork};
 pub use queries::frame::{Frame, FrameShape};
 #[doc(hidden)]

@@ -2,17 +2,24 @@
 
 use std::path::PathBuf;
 
+use organza::data::{Frame, Pose};
+use organza::error;
 use organza::render::Contributions;
 use organza::scene::is_in_box;
-use organza::{Camera, Renderer, Result, Scene};
+use organza::view::Photographs;
+use organza::{DeviceScene, Renderer, Result, Scene};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
 use super::device::DeviceArgs;
-use super::inputs::{Cameras, DataArgs, SceneSource};
+use super::eval::measure;
+use super::inputs::{Cameras, DataArgs, SceneSource, Split};
 use super::output::check_scene_file;
-use super::summary::{Table, count, grouped};
+use super::summary::{Table, count, grouped, score};
 use super::{number_in, numbers, refuse, text_of};
+
+/// Loss of PSNR that is worth a warning, in dB.
+const NOTICED: f64 = 0.3;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -49,7 +56,7 @@ pub struct Args {
     #[arg(long, value_name = "PIXELS", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "0", value_parser = number_in(0.0.., "pixels, 0 or more"))]
     min_contribution: Option<f64>,
-    /// Remove floaters: what few views support. A strength from 0, which removes nothing, to 1; 0.3 is a start
+    /// Remove floaters: what most views see through. A strength from 0, which removes nothing, to 1; 0.3 is a start
     #[arg(long, value_name = "STRENGTH", value_parser = number_in(0.0..=1.0, "a number from 0 to 1"))]
     clean: Option<f64>,
     /// The scene's scale: meters in one unit of its data set. Exported files are then in meters
@@ -79,6 +86,14 @@ struct Removed {
     weight: Option<f64>,
 }
 
+/// How close the scene is to held-out photographs, before and after the rules that look at views.
+#[derive(Debug, Serialize)]
+struct HeldOut {
+    photographs: usize,
+    psnr_before: Option<f64>,
+    psnr: Option<f64>,
+}
+
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Report {
@@ -86,6 +101,8 @@ struct Report {
     gaussians_before: usize,
     removed: Vec<Removed>,
     gaussians: usize,
+    /// `None` if there are no held-out photographs, or if no view was looked at.
+    held_out: Option<HeldOut>,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
@@ -101,11 +118,15 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let gaussians_before = scene.gaussians.len();
     // before any view is rendered, so that a box beside the scene costs no time
     let mut removed = args.crop(&mut scene)?;
+    let mut held_out = None;
     if args.renders_views() {
-        let data = args.data.as_deref();
-        let cameras = Cameras::load(&source, data, &args.data_args, console)?.list;
+        let mut views = args.views(&source, console)?;
         let renderer = args.device.open(console)?;
-        args.by_contribution(&mut scene, &cameras, &renderer, &mut removed, console)?;
+        let before = renderer.upload(&scene)?;
+        let found = args.contributions(&before, &mut views, &renderer, console)?;
+        args.by_contribution(&mut scene, &found, &mut removed)?;
+        let scenes = [&before, &renderer.upload(&scene)?];
+        held_out = views.compare(scenes, &renderer, console)?;
     }
     let placement = &mut scene.config.placement;
     placement.meters = args.scale.or(placement.meters);
@@ -115,6 +136,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         gaussians_before,
         removed,
         gaussians: scene.gaussians.len(),
+        held_out,
     };
     console.note(&format!("wrote {}", args.output.display()));
     if args.json { print_json(&report) } else { print(&text(&report)) }
@@ -139,23 +161,54 @@ impl Args {
         Ok(vec![keep(scene, format!("{side} the box"), is_kept)?])
     }
 
+    /// The views that count.
+    fn views(&self, source: &SceneSource, console: Console) -> Result<Views> {
+        let Cameras { list, data, .. } =
+            Cameras::load(source, self.data.as_deref(), &self.data_args, console)?;
+        let Some(mut data) = data else {
+            let pose =
+                |camera| Pose { camera, held_out: false, photograph: None, distorted: false };
+            let poses = list.into_iter().map(pose).collect();
+            return Ok(Views { poses, photographs: Photographs::default(), split: Split::All });
+        };
+        let poses = data.cameras()?;
+        if poses.iter().any(|pose| pose.held_out) {
+            data.say_doubt(Split::HeldOut, console);
+        }
+        let photographs = data.photographs().0;
+        Ok(Views { poses, photographs, split: self.data_args.split(Split::All) })
+    }
+
+    /// What Gaussians contribute to the views.
+    fn contributions(
+        &self,
+        scene: &DeviceScene,
+        views: &mut Views,
+        renderer: &Renderer,
+        console: Console,
+    ) -> Result<Contributions> {
+        let mut found = Contributions::new(scene.len());
+        let Views { poses, photographs, split } = views;
+        let chosen = poses.iter().enumerate().filter(|(_, pose)| split.takes(pose.held_out));
+        let chosen: Vec<_> = chosen.collect();
+        let bar = console.progress("measuring what Gaussians contribute", chosen.len(), "views");
+        for view in chosen {
+            match self.clean {
+                Some(_) => photographs.add_contributions(renderer, scene, view, &mut found)?,
+                None => renderer.add_contributions(scene, &view.1.camera, None, &mut found)?,
+            }
+            bar.advance(1);
+        }
+        Ok(found)
+    }
+
     /// The rules for which views are rendered.
     fn by_contribution(
         &self,
         scene: &mut Scene,
-        cameras: &[Camera],
-        renderer: &Renderer,
+        found: &Contributions,
         removed: &mut Vec<Removed>,
-        console: Console,
     ) -> Result<()> {
-        let uploaded = renderer.upload(scene)?;
-        let mut found = Contributions::new(scene.gaussians.len());
-        let bar = console.progress("measuring what Gaussians contribute", cameras.len(), "views");
-        for (done, camera) in cameras.iter().enumerate() {
-            renderer.add_contributions(&uploaded, camera, self.clean.is_some(), &mut found)?;
-            bar.set_of(done + 1, cameras.len());
-        }
-        drop(bar);
         let mut rules = Vec::new();
         if let Some(min) = self.min_contribution {
             // a Gaussian that contributes NaN is visible, so it stays
@@ -178,6 +231,61 @@ impl Args {
             left.retain(|&i| !is_removed[i]);
         }
         Ok(())
+    }
+}
+
+/// The views that count, and their photographs.
+struct Views {
+    poses: Vec<Pose>,
+    photographs: Photographs,
+    split: Split,
+}
+
+impl Views {
+    /// Compares the scene before and after with the held-out photographs, if there are any.
+    fn compare(
+        self,
+        scenes: [&DeviceScene; 2],
+        renderer: &Renderer,
+        console: Console,
+    ) -> Result<Option<HeldOut>> {
+        let Self { poses, mut photographs, .. } = self;
+        let mut frames = Vec::new();
+        let views = poses.iter().enumerate().filter(|(_, pose)| pose.held_out);
+        for (view, Pose { camera, .. }) in views {
+            // the scene is edited also where a photograph has changed
+            match photographs.get(renderer, view) {
+                Ok(image) => frames.push(Frame {
+                    name: camera.file_path.clone().unwrap_or_default(),
+                    camera: camera.clone(),
+                    image: image.as_ref().clone(),
+                }),
+                Err(error) => console.warn(&format!("not measured: {}", error::chain(&error))),
+            }
+        }
+        let frames: Vec<_> = frames.iter().filter(|frame| !frame.image.is_hidden()).collect();
+        if frames.is_empty() {
+            return Ok(None);
+        }
+        let mut psnr = [None; 2];
+        for (psnr, scene) in psnr.iter_mut().zip(scenes) {
+            *psnr = measure(renderer, scene, &frames, false, console)?.mean.psnr;
+        }
+        let [psnr_before, psnr] = psnr;
+        let found = HeldOut { photographs: frames.len(), psnr_before, psnr };
+        if let Some(gain) = found.gain().filter(|gain| *gain < -NOTICED) {
+            console.warn(&format!(
+                "this costs {:.2} dB on photographs that training has not seen: look at the scene, or remove less",
+                -gain
+            ));
+        }
+        Ok(Some(found))
+    }
+}
+
+impl HeldOut {
+    fn gain(&self) -> Option<f64> {
+        self.psnr.zip(self.psnr_before).map(|(after, before)| after - before)
     }
 }
 
@@ -209,5 +317,12 @@ fn text(report: &Report) -> String {
         row(rule, format!("{sign}{}", grouped(*gaussians as u64)), *weight);
     }
     row("after", grouped(report.gaussians as u64), None);
-    table.to_string()
+    let mut text = table.to_string();
+    if let Some(found) = &report.held_out {
+        let photographs = count(found.photographs as u64, "held-out photograph");
+        let psnr = score(found.psnr, 2);
+        let gain = found.gain().map_or("-".to_owned(), |gain| format!("{gain:+.2}"));
+        text += &format!("\non {photographs}: {psnr} dB, {gain} dB\n");
+    }
+    text
 }

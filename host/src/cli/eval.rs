@@ -68,10 +68,8 @@ impl Args {
         let source = SceneSource::find(&self.scene)?;
         let split = self.data_args.split(Split::HeldOut);
         let scene = source.load(console)?;
-        let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
-        let background = self.background.unwrap_or(Background::Color(of_scene));
         let named = self.data.as_deref();
-        let data = DataSet::of(&source, named, &self.data_args, Some(background), console)?;
+        let mut data = DataSet::of(&source, named, &self.data_args, self.background, console)?;
         data.say_doubt(split, console);
         let data = data.only(split);
         let renderer = self.device.open(console)?;

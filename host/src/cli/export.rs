@@ -175,7 +175,7 @@ fn load_views(
         };
         return Ok((views, None));
     }
-    let data = DataSet::of(source, named, &args.data, None, console)?;
+    let mut data = DataSet::of(source, named, &args.data, None, console)?;
     data.say_doubt(Split::HeldOut, console);
     let (held_out, fitted): (Vec<_>, _) =
         data.cameras()?.into_iter().partition(|pose| pose.held_out);

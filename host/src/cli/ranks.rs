@@ -4,6 +4,7 @@ use std::str::FromStr;
 use std::sync::Arc;
 use std::thread;
 
+use organza::data::DatasetOptions;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::scene::Placement;
 use organza::train::{self, TrainConfig};
@@ -126,7 +127,8 @@ impl RankGroup {
             let placement: Option<Placement> =
                 serde_json::from_slice(&ranks.broadcast(Vec::new())?).expect("rank 0 wrote it");
             let console = Console::QUIET;
-            let data = DataSet::open(config.data, placement, console)?;
+            let options = DatasetOptions { placement, ..config.data.options() };
+            let data = DataSet::open(config.data, &options, console)?;
             let options = self.device(device.options()?, ranks.rank());
             let renderer = device.open_as(&options, console)?;
             let dataset = Arc::new(data.read(&renderer, console)?);

@@ -133,9 +133,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let purpose = if args.edit.is_some() { Purpose::Edit } else { Purpose::Look };
     let about = About::new(&title, &uploaded, &poses, has_photographs, &points, purpose);
     let editor = args.edit.as_ref();
-    let cameras = poses.into_iter().map(|pose| pose.camera).collect();
     let editor =
-        editor.map(|file| Editor::new(scenes.remove(0), cameras, args.scene_args.options(), file));
+        editor.map(|file| Editor::new(scenes.remove(0), poses, args.scene_args.options(), file));
     let editor = editor.transpose()?;
     let queue = Arc::new(Queue::default());
     let stopped = Arc::clone(&queue);

@@ -9,11 +9,13 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use super::message::{MAX_SIDE, check};
+use super::photographs::Photographs;
 use super::stage::Stage;
 use organza_core::error::refuse;
 use organza_core::image::{ChannelImage, TILE_SIDE};
 use organza_core::scene::{Gaussians, Scene, is_in_box};
 use organza_core::{Camera, Channel, Result, TileBatch, check_writable};
+use organza_data::Pose;
 use organza_render::{Contributions, DeviceScene, UploadOptions};
 
 /// Most places of selected Gaussians in an answer.
@@ -39,7 +41,7 @@ pub enum EditRequest {
     Remove,
     /// Removes what is inside a box, or outside.
     Crop(Crop),
-    /// Hides what few views support, with a strength of 0 to 1, in place of what it has hidden before.
+    /// Hides what most views see through, with a strength of 0 to 1, in place of what it has hidden before.
     Clean(f64),
     /// Removes what is hidden.
     Keep,
@@ -137,20 +139,20 @@ pub struct Editor {
     removals: Vec<Vec<usize>>,
     /// Whether the last removal only hides.
     is_hidden: bool,
-    cameras: Vec<Camera>,
+    poses: Vec<Pose>,
     measured: Option<Measured>,
     /// Number of changes to what is shown.
     version: u64,
 }
 
 impl Editor {
-    /// An editor of a scene, which writes to `file`. `cameras` are the views that support Gaussians.
+    /// An editor of a scene, which writes to `file`. `poses` are the views that show Gaussians.
     ///
     /// # Errors
     /// [`Error::Invalid`](organza_core::Error::Invalid) if the file exists, and errors of writing there.
     pub fn new(
         scene: Scene,
-        cameras: Vec<Camera>,
+        poses: Vec<Pose>,
         options: UploadOptions,
         file: &Path,
     ) -> Result<Self> {
@@ -170,7 +172,7 @@ impl Editor {
             selected: vec![false; count],
             removals: Vec::new(),
             is_hidden: false,
-            cameras,
+            poses,
             measured: None,
             version: 0,
         })
@@ -182,7 +184,12 @@ impl Editor {
     }
 
     /// Does what a page asks for, and returns the new state.
-    pub(super) fn answer(&mut self, stage: Stage<'_>, request: &EditRequest) -> Result<Vec<u8>> {
+    pub(super) fn answer(
+        &mut self,
+        stage: Stage<'_>,
+        photographs: &mut Photographs,
+        request: &EditRequest,
+    ) -> Result<Vec<u8>> {
         let mut saved = None;
         match request {
             EditRequest::Look => {}
@@ -192,7 +199,7 @@ impl Editor {
                 let selected = std::mem::take(&mut self.selected);
                 self.remove(stage, &selected)?;
             }
-            EditRequest::Clean(strength) => self.clean(stage, *strength)?,
+            EditRequest::Clean(strength) => self.clean(stage, photographs, *strength)?,
             EditRequest::Keep => self.is_hidden = false,
             EditRequest::Crop(Crop { low, high, outside }) => {
                 let places = self.scene.gaussians.position.iter();
@@ -281,11 +288,16 @@ impl Editor {
     }
 
     /// Hides floaters. Each call looks at one more view, until all were seen: the measure is the same as in `organza edit`.
-    fn clean(&mut self, stage: Stage<'_>, strength: f64) -> Result<()> {
+    fn clean(
+        &mut self,
+        stage: Stage<'_>,
+        photographs: &mut Photographs,
+        strength: f64,
+    ) -> Result<()> {
         if !(0.0..=1.0).contains(&strength) {
             return refuse("a strength is a number from 0 to 1".to_owned());
         }
-        if self.cameras.is_empty() {
+        if self.poses.is_empty() {
             return refuse("there are no views: name the data set, too".to_owned());
         }
         let whole = if self.is_hidden { self.before() } else { self.left.clone() };
@@ -293,12 +305,14 @@ impl Editor {
             Some(measured) if measured.gaussians == whole => measured,
             _ => self.unmeasured(stage, whole)?,
         };
-        if let (Some(scene), Some(camera)) = (&measured.scene, self.cameras.get(measured.seen)) {
-            stage.renderer.add_contributions(scene, camera, true, &mut measured.found)?;
+        let view = measured.seen;
+        if let (Some(scene), Some(pose)) = (&measured.scene, self.poses.get(view)) {
+            let found = &mut measured.found;
+            photographs.add_contributions(stage.renderer, scene, (view, pose), found)?;
             measured.seen += 1;
         }
         let Measured { gaussians, scene, found, seen } = self.measured.insert(measured);
-        if *seen < self.cameras.len() {
+        if *seen < self.poses.len() {
             return Ok(());
         }
         *scene = None;
@@ -326,7 +340,7 @@ impl Editor {
 
     /// What is hidden, and how far that is known.
     fn hidden(&self) -> Clean {
-        let views = self.cameras.len();
+        let views = self.poses.len();
         let Some(measured) = &self.measured else { return Clean { views, ..Clean::default() } };
         let hidden = self.removals.last().filter(|_| self.is_hidden);
         let hidden = hidden.map(Vec::as_slice).unwrap_or_default();

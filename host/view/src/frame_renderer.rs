@@ -161,7 +161,7 @@ impl FrameRenderer {
             }
             Question::Pixel(pixel, camera) => explain(stage.renderer, stage.scene, camera, *pixel)?,
             Question::Edit(request) => match &mut self.editor {
-                Some(editor) => editor.answer(stage, request)?,
+                Some(editor) => editor.answer(stage, &mut self.photographs, request)?,
                 None => return refuse("the scene is not edited: begin with `--edit FILE`"),
             },
             Question::Place(request) => self.places.answer(stage, *request)?,

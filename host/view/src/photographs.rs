@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use organza_core::error::refuse;
 use organza_core::{Camera, Result, demo};
-use organza_data::{Dataset, Photograph, Poses};
-use organza_render::{DeviceScene, Renderer};
+use organza_data::{Dataset, Photograph, Pose, Poses};
+use organza_render::{Contributions, DeviceScene, Renderer};
 
 /// Number of photographs that are kept after reading.
 const KEPT: usize = 4;
@@ -54,8 +54,32 @@ impl Photographs {
         matches!(self.source, PhotographSource::None)
     }
 
+    /// Adds what Gaussians contribute to a view, by its photograph if there is one that is not held out.
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::add_contributions`], and as reading the photograph.
+    pub fn add_contributions(
+        &mut self,
+        renderer: &Renderer,
+        scene: &DeviceScene,
+        (view, pose): (usize, &Pose),
+        found: &mut Contributions,
+    ) -> Result<()> {
+        let is_known = !pose.held_out && !self.is_empty();
+        let photograph = is_known.then(|| self.get(renderer, view)).transpose()?;
+        let color = |[x, y]: [i32; 2]| {
+            let [x, y] = [x as u32, y as u32];
+            let photograph = photograph.as_ref().filter(|photograph| photograph.is_valid(x, y));
+            photograph.map(|photograph| photograph.color(x, y).map(f64::from))
+        };
+        renderer.add_contributions(scene, &pose.camera, Some(&color), found)
+    }
+
     /// The photograph of a view in the data set.
-    pub(super) fn get(&mut self, renderer: &Renderer, view: usize) -> Result<Arc<Photograph>> {
+    ///
+    /// # Errors
+    /// The same errors as [`Poses::photograph`], and if there is none.
+    pub fn get(&mut self, renderer: &Renderer, view: usize) -> Result<Arc<Photograph>> {
         if let Some((_, found)) = self.kept.iter().find(|(kept, _)| *kept == view) {
             return Ok(Arc::clone(found));
         }

@@ -398,7 +398,7 @@ fn crop(page: &mut Page, middle: [f64; 2], sandbox: &Sandbox, all: u64) -> u64 {
     scene.gaussians.position.iter().filter(is_inside).count() as u64
 }
 
-/// The slider hides what few photographs support, and says what that is. Then it goes.
+/// The slider hides what most photographs see through, and says what that is. Then it goes.
 fn assert_cleans(page: &mut Page, (all, whole): (u64, &RgbImage)) {
     let slide = |page: &mut Page, strength: f64| {
         page.eval(&format!(

@@ -9,19 +9,22 @@ use std::slice::from_ref;
 use organza_shaders::splat::VECTORS;
 use rayon::prelude::*;
 
-use super::pixel_gaussians::{PartSplats, PixelGaussian, depths, surface};
+use super::pixel_gaussians::{PartSplats, PixelGaussian, depth_of, depths, surface};
 use crate::pass::part::Part;
 use crate::stages::cut::PartTiles;
 use crate::{DeviceScene, Renderer};
 use organza_core::image::{TILE_SIDE, bands};
 use organza_core::{Camera, Result, Tile};
 
-/// Weight farther from the median depth than this part of it is not at the surface.
+/// What is farther from a surface than this part of its depth is not at it.
 const SURFACE: f64 = 0.12;
-/// A pixel of less weight shows the background.
-const OPEN: f64 = 0.98;
 /// Surfaces are found at every fourth pixel of every fourth row.
 const STRIDE: i32 = 4;
+/// Where there is no photograph, what nothing else fills is taken to differ this much from what then shows.
+const UNKNOWN: f64 = 0.5;
+
+/// The color of a pixel in the photograph of a view: red, green and blue. `None` where there is none.
+pub type PixelColor<'a> = dyn Fn([i32; 2]) -> Option<[f64; 3]> + Sync + 'a;
 
 /// The contributions of a scene's Gaussians to some views.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,20 +38,27 @@ pub struct Contributions {
 struct GaussianSums {
     /// Sum of `alpha / max(S, 1)` over all pixels of all views.
     pixels: f64,
-    /// Sum over views of the square of the view's part of `pixels`.
-    squares: f64,
-    /// Like `pixels`, over the pixels with a measured surface.
-    measured: f64,
-    /// The part of `measured` that lies in front of the surface.
-    in_front: f64,
     /// Like `pixels`, over the pixels that were looked at for surfaces.
     shares: f64,
     /// Sum of the squares of the terms of `shares`.
     share_squares: f64,
+    /// Sums of the falloff over these pixels: where the Gaussian lies in front of the surface, at it, and behind.
+    in_front: f64,
+    at_surface: f64,
+    behind: f64,
+    /// Sums over views: the part of the falloff that is not behind surfaces, and the part in front.
+    seeing: f64,
+    through: f64,
+    /// How much the squared error of these pixels rises without the Gaussian, where nearer ones have gone.
+    need: f64,
 }
 
 /// The doubt above which [`Contributions::floaters`] of strength 1/2 go.
-const DOUBT: f64 = 0.04;
+const DOUBT: f64 = 0.012;
+/// The need that makes a doubt smaller by the factor e: a difference of a tenth.
+const NEED: f64 = 0.01;
+/// A need below this makes a doubt no larger.
+const LEAST_NEED: f64 = -0.03;
 
 impl Contributions {
     /// No contribution yet, for a number of Gaussians.
@@ -61,31 +71,32 @@ impl Contributions {
         self.sums[gaussian].pixels
     }
 
-    /// The number of views that see a Gaussian. A view counts in full if none shows more of it: the number is
-    /// `(sum of c)^2 / (sum of c^2)` for the contributions c to each view.
-    pub fn views(&self, gaussian: usize) -> f64 {
-        let GaussianSums { pixels, squares, .. } = self.sums[gaussian];
-        if squares > 0.0 { pixels * pixels / squares } else { 0.0 }
+    /// The number of views that could see a Gaussian's place, and of those that see through it, to a surface more than 12%
+    /// farther or to the background. A view counts by parts. A surface is the median depth of a pixel's weights.
+    pub fn views(&self, gaussian: usize) -> [f64; 2] {
+        let GaussianSums { seeing, through, .. } = self.sums[gaussian];
+        [seeing, through]
     }
 
-    /// The share of a Gaussian's contribution that is in front of surfaces, 0 to 1: more than 12% nearer than the median
-    /// depth of the pixel's weights. Pixels with S < 0.98 show the background and do not count. 0 if it was not measured.
-    pub fn in_front(&self, gaussian: usize) -> f64 {
-        let GaussianSums { measured, in_front, .. } = self.sums[gaussian];
-        if measured > 0.0 { in_front / measured } else { 0.0 }
+    /// How much views need a Gaussian: by how much the squared error of its pixels, weighted by its shares, would rise without it if
+    /// nearer ones had gone before. Below 0, photographs are closer to the views without it.
+    pub fn need(&self, gaussian: usize) -> f64 {
+        let GaussianSums { shares, need, .. } = self.sums[gaussian];
+        if shares > 0.0 { need / shares } else { 0.0 }
     }
 
-    /// How much a Gaussian looks like a floater: `a (f + 1 / n)`. Here a is the mean of its share of the pixels that it reaches,
-    /// weighted by this share; f is the part [in front](Self::in_front) of surfaces, and n the number of [views](Self::views) that
-    /// see it.
+    /// How much a Gaussian looks like a floater: `a f^2 exp(-e / 0.01)`. Here a is the mean of its share of the pixels that it reaches,
+    /// weighted by this share; f is the part of the [views](Self::views) that see through it, of those that could see it; and e is the
+    /// [need](Self::need), at least -0.03.
     fn doubt(&self, gaussian: usize) -> f64 {
         let GaussianSums { shares, share_squares, .. } = self.sums[gaussian];
-        let mean = if shares > 0.0 { share_squares / shares } else { 0.0 };
-        mean * (self.in_front(gaussian) + self.views(gaussian).recip())
+        let [seeing, through] = self.views(gaussian);
+        let needs = self.need(gaussian).max(LEAST_NEED) / NEED;
+        share_squares / shares * (through / seeing).powi(2) * (-needs).exp()
     }
 
-    /// Which Gaussians few views support: those whose doubt is above `0.04 (1 - s) / s`, for a strength s from 0, none, to 1. Needs
-    /// surfaces.
+    /// Which Gaussians most views see through: those whose doubt is above `0.012 (1 - s) / s`, for a strength s from 0, none, to 1.
+    /// Needs surfaces.
     #[must_use]
     pub fn floaters(&self, strength: f64) -> Vec<bool> {
         let max = DOUBT * (1.0 - strength) / strength;
@@ -105,7 +116,12 @@ impl Contributions {
     /// Adds the sums of a view.
     fn add(&mut self, view: Vec<GaussianSums>) {
         for (sum, mut view) in self.sums.iter_mut().zip(view) {
-            view.squares = view.pixels * view.pixels;
+            let seen = view.in_front + view.at_surface;
+            let all = seen + view.behind;
+            if all > 0.0 {
+                view.seeing = seen / all;
+                view.through = view.in_front / all;
+            }
             sum.add(view);
         }
     }
@@ -114,17 +130,20 @@ impl Contributions {
 impl GaussianSums {
     fn add(&mut self, other: Self) {
         self.pixels += other.pixels;
-        self.squares += other.squares;
-        self.measured += other.measured;
-        self.in_front += other.in_front;
         self.shares += other.shares;
         self.share_squares += other.share_squares;
+        self.in_front += other.in_front;
+        self.at_surface += other.at_surface;
+        self.behind += other.behind;
+        self.seeing += other.seeing;
+        self.through += other.through;
+        self.need += other.need;
     }
 }
 
 impl Renderer {
-    /// Adds what each Gaussian contributes to a view: to all of its pixels. With `surfaces`, also how much of that is in
-    /// front of surfaces, at every fourth pixel of every fourth row.
+    /// Adds what each Gaussian contributes to a view: to all of its pixels. With `photograph`, which may be of no pixel, also what
+    /// floaters are known by, at every fourth pixel of every fourth row.
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`].
@@ -135,16 +154,16 @@ impl Renderer {
         &self,
         scene: &DeviceScene,
         camera: &Camera,
-        surfaces: bool,
+        photograph: Option<&PixelColor<'_>>,
         contributions: &mut Contributions,
     ) -> Result<()> {
         assert_eq!(contributions.sums.len(), scene.len(), "contributions of another scene");
         let position = self.device().read(&scene.tensors.gaussians.position)?;
-        let depths = surfaces.then(|| depths(&position, camera));
+        let looks = photograph.map(|photograph| (depths(&position, camera), photograph));
         let mut view = vec![GaussianSums::default(); scene.len()];
         for batch in bands(0, [camera.width, camera.height], TILE_SIDE) {
             self.pass(scene, from_ref(camera)).each_part(&batch?, |part_tiles| {
-                let found = self.part_sums(scene, camera, part_tiles, depths.as_deref())?;
+                let found = self.part_sums(scene, camera, part_tiles, looks.as_ref())?;
                 found.into_iter().for_each(|(gaussian, sums)| view[gaussian].add(sums));
                 Ok(())
             })?;
@@ -159,7 +178,7 @@ impl Renderer {
         scene: &DeviceScene,
         camera: &Camera,
         part_tiles: &PartTiles,
-        depths: Option<&[f64]>,
+        looks: Option<&(Vec<f64>, &PixelColor<'_>)>,
     ) -> Result<Vec<(usize, GaussianSums)>> {
         let device = self.device();
         let red = device.upload("red of the pixels", &red(camera, part_tiles))?;
@@ -173,12 +192,14 @@ impl Renderer {
         let sums = colors.map(|pixels| GaussianSums { pixels, ..GaussianSums::default() });
         let gaussians = splats.pair.iter().map(|&gaussian| gaussian as usize);
         let mut found: Vec<_> = gaussians.zip(sums).collect();
-        if let Some(depths) = depths {
+        let background = scene.config().background;
+        if let Some((depths, photograph)) = looks {
             let tiles = part_tiles.tiles.par_iter().enumerate();
             let tiles = tiles.map(|(index, part_tile)| {
                 let pixels = spaced(part_tile.tile, part_tiles.side, camera);
                 let pixels = pixels.flat_map(|pixel| {
-                    in_pixel(splats.at(index, pixel, |gaussian| depths[gaussian]))
+                    let reaching = splats.at(index, pixel, |gaussian| depths[gaussian]);
+                    in_pixel(reaching, background, photograph(pixel))
                 });
                 pixels.collect::<Vec<_>>()
             });
@@ -215,19 +236,63 @@ fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 
     along(1, camera.height).flat_map(move |y| along(0, width).map(move |x| [x, y]))
 }
 
-/// The contributions of Gaussians to a pixel, and whether they are in front of its surface.
-fn in_pixel(mut reaching: Vec<PixelGaussian>) -> Vec<(usize, GaussianSums)> {
-    let Some((surface, sum)) = surface(&mut reaching) else { return Vec::new() };
-    let sums_of = |one: &PixelGaussian| {
+/// The sums of Gaussians in a pixel, whose color in the photograph may be known.
+fn in_pixel(
+    mut reaching: Vec<PixelGaussian>,
+    background: [f64; 3],
+    photograph: Option<[f64; 3]>,
+) -> Vec<(usize, GaussianSums)> {
+    let Some((_, sum)) = surface(&mut reaching) else { return Vec::new() };
+    // the background is behind them all
+    let surface = depth_of(&reaching, 0.5 * sum.max(1.0)).unwrap_or(f64::INFINITY);
+    // what is left of C and S without the nearer ones
+    let mut rest = [0.0; 4];
+    for one in &reaching {
+        take(&mut rest, one, -1.0);
+    }
+    let mut error = error_of(rest, background, photograph);
+    let mut sums_of = |one: &PixelGaussian| {
+        let filled = rest[3].min(1.0);
+        take(&mut rest, one, 1.0);
+        let without = error_of(rest, background, photograph);
+        let need = match photograph {
+            Some(_) => without - error,
+            None => (UNKNOWN * (filled - rest[3].min(1.0))).powi(2),
+        };
+        error = without;
         let share = one.weight / sum.max(1.0);
-        // an open pixel shows the background
-        let measured = if sum < OPEN { 0.0 } else { share };
-        let is_in_front = one.depth < (1.0 - SURFACE) * surface;
-        let in_front = if is_in_front { measured } else { 0.0 };
-        let mut sums = GaussianSums { measured, in_front, ..GaussianSums::default() };
-        sums.shares = share;
+        let mut sums = GaussianSums { shares: share, need, ..GaussianSums::default() };
         sums.share_squares = share * share;
+        let side = match one.depth {
+            depth if depth < (1.0 - SURFACE) * surface => &mut sums.in_front,
+            depth if depth <= (1.0 + SURFACE) * surface => &mut sums.at_surface,
+            _ => &mut sums.behind,
+        };
+        *side = one.falloff;
         (one.gaussian, sums)
     };
-    reaching.iter().map(sums_of).collect()
+    reaching.iter().map(&mut sums_of).collect()
+}
+
+/// Takes a Gaussian's part from the sums C and S of a pixel.
+fn take(sums: &mut [f64; 4], one: &PixelGaussian, part: f64) {
+    let [red, green, blue] = one.color;
+    for (sum, factor) in sums.iter_mut().zip([red, green, blue, 1.0]) {
+        *sum -= part * one.weight * factor;
+    }
+}
+
+/// The squared error of a pixel with these sums C and S; 0 without a photograph.
+fn error_of(sums: [f64; 4], background: [f64; 3], photograph: Option<[f64; 3]>) -> f64 {
+    let Some(photograph) = photograph else { return 0.0 };
+    let sum = sums[3];
+    let channel = |channel: usize| {
+        // Eq. 13
+        let color = match sum > 1.0 {
+            true => sums[channel] / sum,
+            false => sums[channel] + (1.0 - sum) * background[channel],
+        };
+        (color - photograph[channel]).powi(2)
+    };
+    (0..3).map(channel).sum::<f64>() / 3.0
 }

@@ -18,6 +18,10 @@ pub struct PixelGaussian {
     pub depth: f64,
     /// alpha of Eq. 12
     pub weight: f64,
+    /// The factor of alpha that is 1 at the Gaussian's center.
+    pub falloff: f64,
+    /// Red, green and blue.
+    pub color: [f64; 3],
 }
 
 /// The splats and tiles of a part with one camera, to find the Gaussians of its pixels.
@@ -63,8 +67,16 @@ impl PartSplats {
             let at = pair as usize * VECTORS as usize;
             let q = splat_distance(self.splat[at], self.splat[at + 1], center.x, center.y);
             let gaussian = self.pair[pair as usize] as usize;
-            let weight = f64::from(alpha(self.splat[at], q));
-            in_support(q).then(|| PixelGaussian { gaussian, depth: depth(gaussian), weight })
+            let [weight, falloff] = [self.splat[at], Vec4::ONE].map(|splat| alpha(splat, q).into());
+            let color = self.splat[at + 2].truncate().to_array().map(f64::from);
+            let depth = || depth(gaussian);
+            in_support(q).then(|| PixelGaussian {
+                gaussian,
+                depth: depth(),
+                weight,
+                falloff,
+                color,
+            })
         };
         self.intersection[range].iter().filter_map(reaching).collect()
     }
@@ -75,12 +87,18 @@ impl PartSplats {
 pub fn surface(reaching: &mut [PixelGaussian]) -> Option<(f64, f64)> {
     reaching.sort_by(|a, b| a.depth.total_cmp(&b.depth));
     let sum: f64 = reaching.iter().map(|one| one.weight).sum();
+    let half = depth_of(reaching, 0.5 * sum);
+    half.filter(|_| sum > 0.0).map(|depth| (depth, sum))
+}
+
+/// The depth up to which Gaussians, sorted by depth, have a weight together.
+pub fn depth_of(reaching: &[PixelGaussian], weight: f64) -> Option<f64> {
     let mut before = 0.0;
-    let half = reaching.iter().find(|one| {
+    let found = reaching.iter().find(|one| {
         before += one.weight;
-        before >= 0.5 * sum
+        before >= weight
     });
-    half.filter(|_| sum > 0.0).map(|one| (one.depth, sum))
+    found.map(|one| one.depth)
 }
 
 /// Depths of points `[N, 3]` along a camera's axis.

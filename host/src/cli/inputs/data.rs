@@ -6,7 +6,7 @@ use std::path::Path;
 use clap::ValueEnum;
 use organza::data::{Alpha, Background, Dataset, DatasetOptions, Point, Pose, Poses};
 use organza::error::invalid;
-use organza::scene::{Placement, TrainedOn};
+use organza::scene::TrainedOn;
 use organza::train::config::DataConfig;
 use organza::train::{Binding, CONFIG, Checkpoint, built_in};
 use organza::view::{PhotographSource, Photographs};
@@ -99,7 +99,7 @@ impl DataArgs {
             return Err(told_apart(error, scene.named(), FileKind::Scene));
         }
         let mut data = run.map(|config| config.data).unwrap_or_default();
-        if let Some(trained_on) = scene.trained_on() {
+        if let Some(trained_on) = scene.config().and_then(|config| config.trained_on) {
             data.downscale = trained_on.downscale;
             data.alpha = if trained_on.alpha_is_mask { Alpha::Mask } else { Alpha::Background };
         }
@@ -145,17 +145,7 @@ impl Split {
 
 impl DataSet {
     /// Reads the cameras, and warns of files that are missing or outside. [`Self::read`] reads the photographs.
-    /// Cameras and points get the coordinates of a scene with this placement; without one, the data set's own.
-    pub fn open(
-        settings: DataConfig,
-        placement: impl Into<Option<Placement>>,
-        console: Console,
-    ) -> Result<Self> {
-        let options = DatasetOptions { placement: placement.into(), ..settings.options() };
-        Self::open_with(settings, &options, console)
-    }
-
-    fn open_with(settings: DataConfig, options: &DatasetOptions, console: Console) -> Result<Self> {
+    pub fn open(settings: DataConfig, options: &DatasetOptions, console: Console) -> Result<Self> {
         let open = |path| Poses::load(path, options);
         let poses = match &settings.path {
             Some(path) => Some(open(path).map_err(|e| told_apart(e, path, FileKind::DataSet))?),
@@ -181,7 +171,7 @@ impl DataSet {
 
     /// [`Self::open`] for a scene. The data set of its run must be what the run was trained on, and gets the cameras that the
     /// run has refined. One that the user has named is taken as it is, and a note says if it is another one. The frames are held
-    /// out that the scene has not seen, unless options name others. `background` overrides the settings'.
+    /// out that the scene has not seen, unless options name others. The background is the scene's, unless it is given.
     pub fn of(
         scene: &SceneSource,
         named: Option<&Path>,
@@ -190,12 +180,14 @@ impl DataSet {
         console: Console,
     ) -> Result<Self> {
         let mut settings = args.settings(scene, named)?;
-        settings.background = background.unwrap_or(settings.background);
-        let known = scene.trained_on();
+        let config = scene.config();
+        let of_scene = config.as_ref().map(|config| Background::from(config.background));
+        settings.background = background.or(of_scene).unwrap_or(settings.background);
+        let known = config.and_then(|config| config.trained_on);
         let trained_on = known.clone().filter(|_| args.hold_out_every.is_none());
         let placement = Some(scene.placement());
         let options = DatasetOptions { placement, trained_on, ..settings.options() };
-        let mut data = Self::open_with(settings, &options, console)?;
+        let mut data = Self::open(settings, &options, console)?;
         data.doubt = data.doubt_of(scene, known.as_ref())?;
         let (run, binding) = match scene.settings()? {
             Some(run) => (run, Binding::load(scene.file())?),
@@ -271,9 +263,11 @@ impl DataSet {
     }
 
     /// Says why scores of held-out frames may be too good, if a command tells these from the others.
-    pub fn say_doubt(&self, split: Split, console: Console) {
-        if let Some((say, doubt)) = self.doubt.as_ref().filter(|_| split != Split::All) {
-            say(console, doubt);
+    pub fn say_doubt(&mut self, split: Split, console: Console) {
+        if split != Split::All
+            && let Some((say, doubt)) = self.doubt.take()
+        {
+            say(console, &doubt);
         }
     }
 

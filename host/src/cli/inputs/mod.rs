@@ -17,7 +17,7 @@ use crate::cli::console::Console;
 use crate::cli::summary::count;
 use crate::cli::views::photographs;
 use organza::error::invalid;
-use organza::scene::{Placement, TrainedOn};
+use organza::scene::{Placement, SceneConfig};
 use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
 use organza::{Camera, Error, Result, Scene};
 
@@ -86,14 +86,14 @@ impl SceneSource {
         Ok(scene)
     }
 
-    /// Where the scene lies in the world. What is no file of organza is reported when it is read.
-    pub fn placement(&self) -> Placement {
-        Scene::load_config(&self.file).map(|config| config.placement).unwrap_or_default()
+    /// The configuration of the scene. What is no file of organza has none, and is reported when it is read.
+    pub fn config(&self) -> Option<SceneConfig> {
+        Scene::load_config(&self.file).ok()
     }
 
-    /// What the scene was trained on, if it says so.
-    pub fn trained_on(&self) -> Option<TrainedOn> {
-        Scene::load_config(&self.file).ok()?.trained_on
+    /// Where the scene lies in the world.
+    pub fn placement(&self) -> Placement {
+        self.config().map(|config| config.placement).unwrap_or_default()
     }
 
     /// The settings of the run, if the user named a run's folder.
@@ -106,7 +106,6 @@ impl SceneSource {
 }
 
 /// Cameras and their origin.
-#[derive(Debug)]
 pub struct Cameras {
     /// The cameras, in the order of the file or the data set.
     pub list: Vec<Camera>,
@@ -114,6 +113,8 @@ pub struct Cameras {
     pub all: Vec<Camera>,
     /// The file, the data set or the run, for messages.
     pub origin: PathBuf,
+    /// The data set, if they are of one.
+    pub data: Option<DataSet>,
     /// Existing photographs, by their paths without links. No output may replace them.
     photographs: HashSet<PathBuf>,
 }
@@ -148,7 +149,7 @@ impl Cameras {
         let list = list.map_err(|error| told_apart(error, file, FileKind::Cameras))?;
         let named = list.iter().flat_map(|camera| photographs(camera, file));
         let photographs = existing(named);
-        Ok(Self { all: list.clone(), list, origin: file.to_owned(), photographs })
+        Ok(Self { all: list.clone(), list, origin: file.to_owned(), data: None, photographs })
     }
 
     fn from_data_set(
@@ -157,7 +158,7 @@ impl Cameras {
         args: &DataArgs,
         console: Console,
     ) -> Result<Self> {
-        let data = DataSet::of(scene, named, args, None, console)?;
+        let mut data = DataSet::of(scene, named, args, None, console)?;
         let origin = data.path().unwrap_or(scene.named()).to_owned();
         let split = args.split(Split::All);
         data.say_doubt(split, console);
@@ -169,7 +170,7 @@ impl Cameras {
         if list.is_empty() {
             return split.nothing(&origin);
         }
-        Ok(Self { list, all, origin, photographs })
+        Ok(Self { list, all, origin, data: Some(data), photographs })
     }
 
     /// Whether the photograph of some camera exists.

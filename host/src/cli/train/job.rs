@@ -6,6 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use indicatif::HumanDuration;
+use organza::data::DatasetOptions;
 use organza::error;
 use organza::ranks::ThreadRanks;
 use organza::scene::Placement;
@@ -113,7 +114,9 @@ impl TrainJob<'_> {
     ) -> Result<Outcome> {
         self.config.check_memory()?;
         let placement = self.placement()?;
-        let mut data = DataSet::open(self.config.data.clone(), placement, console)?;
+        let settings = &self.config.data;
+        let options = DatasetOptions { placement, ..settings.options() };
+        let mut data = DataSet::open(settings.clone(), &options, console)?;
         // a run that has begun may go on
         if !self.resume {
             data.check_downscale()?;

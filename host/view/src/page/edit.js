@@ -114,8 +114,8 @@ export class Edit extends Tool {
     $("edit-said").textContent = answer.saved ? `Saved as ${answer.saved}` : selected;
   }
 
-  // --- floaters: the program looks at one more photograph with each request, and then hides what few of them
-  // support
+  // --- floaters: the program looks at one more photograph with each request, and then hides what most of them
+  // see through
 
   get strength() {
     return Number($("clean").value);

@@ -47,7 +47,7 @@ impl Parity for Atomics {
             // some with few bits, some that are negative
             let few = |random: &mut Random| random.bits() % 5;
             let value = |at: u32, random: &mut Random| match fill {
-                inputs::Fill::Random if at % 3 == 0 => random.bits(),
+                inputs::Fill::Random if at.is_multiple_of(3) => random.bits(),
                 inputs::Fill::Random => few(random) << (random.bits() % 32),
                 _ => few(random).wrapping_sub(2),
             };

@@ -54,7 +54,9 @@ impl Parity for IntegerFunctions {
         let powers = [-30, -25, -17, -15, -2, 0, 3, 17, 30].map(|power| 2_f32.powi(power));
         let y = u.iter().zip(&x).enumerate();
         let y = y
-            .map(|(at, (_, x))| if at % 3 == 0 { x * powers[at / 3 % 9] } else { -x / 2.0 })
+            .map(
+                |(at, (_, x))| if at.is_multiple_of(3) { x * powers[at / 3 % 9] } else { -x / 2.0 },
+            )
             .collect();
         let words = unwritten(FUNCTIONS.len() * u.len());
         let params = IntegerParams { count: u.len() as u32 };

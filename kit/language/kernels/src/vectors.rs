@@ -232,7 +232,7 @@ methods! {
     "is_negative_bitmask": x.is_negative_bitmask() as f32,
     "is_finite": x.is_finite(),
     "is_nan": x.is_nan(),
-    "is_nan of 0 / 0": ((x - x) / (x - x)).is_nan(),
+    "is_nan of 0 / 0": ((x - x.min(x)) / (x.max(x) - x)).is_nan(),
     "is_nan_mask": V::select(x.is_nan_mask(), V::ZERO, x),
     "abs_diff_eq": x.abs_diff_eq(y, 0.75),
     "with_y": x.with_y(7.0),

@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::Path;
 
-use muslin::kernel::CpuRun;
 use muslin::{EntryPoint, KernelInfo, kernels as declared};
 use organza::MODULES;
 use organza_shaders::transmittance::{SegmentProductKernel, SegmentProductParams};
@@ -107,7 +106,7 @@ fn only_kernels_that_wait_have_barriers() {
     for (kernel, point) in entry_points() {
         let module = loaded(&MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words());
         let barriers = module.all_inst_iter().any(|i| i.class.opcode == Op::ControlBarrier);
-        let waits = matches!(kernel.run, CpuRun::Invocation(_)) || !point.shared.is_empty();
+        let waits = kernel.run.waiting().is_some() || !point.shared.is_empty();
         assert_eq!(barriers, waits, "{}", point.name);
     }
 }

@@ -4,7 +4,7 @@ use glam::{UVec3, Vec3Swizzles};
 use muslin_kernel::invocation::Invocation;
 use muslin_kernel::kernel::{CpuBinding, CpuRun, KernelInfo, SharedInfo};
 use muslin_kernel::running::{RunningInvocation, begin, enter, unlinear};
-use muslin_kernel::workgroup;
+use muslin_kernel::{regions, workgroup};
 use rayon::prelude::*;
 
 use crate::buffer::RawBuffer;
@@ -65,6 +65,7 @@ impl Launch<'_> {
             Some(run) => CpuRun::Invocation(run),
             None => self.run,
         };
+        let is_watched = self.is_checked || cfg!(debug_assertions);
         match run {
             CpuRun::Lanes(_) => unreachable!("`run_of` has chosen an instruction set"),
             CpuRun::Workgroup(run) => {
@@ -83,7 +84,7 @@ impl Launch<'_> {
                 Ok(())
             }
             // no invocation waits for another: it is a run with changed arithmetic
-            CpuRun::Invocation(run) if !matches!(self.run, CpuRun::Invocation(_)) => {
+            CpuRun::Invocation(run) if self.run.waiting().is_none() => {
                 let usual: Vec<_> = (0..u64::from(size.element_product())).collect();
                 for &index in order.unwrap_or(&usual) {
                     enter(index as u32);
@@ -97,7 +98,6 @@ impl Launch<'_> {
             // SAFETY: as above, and the workgroup memory is what this kernel declares
             CpuRun::Invocation(run) => unsafe {
                 let places = [size, place, self.workgroups];
-                let is_watched = self.is_checked || cfg!(debug_assertions);
                 workgroup::run_bound(
                     self.shared,
                     run,
@@ -107,6 +107,11 @@ impl Launch<'_> {
                     self.subgroup_size,
                     is_watched,
                 )
+            },
+            // SAFETY: as above
+            CpuRun::Regions(runs, _) => unsafe {
+                let places = [size, place, self.workgroups];
+                regions::run_regions(self.shared, runs, self.bindings, places, order, is_watched)
             },
         }
     }

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicPtr, AtomicU64, Ordering};
 
 use glam::UVec3;
 use muslin_kernel::invocation::Invocation;
-use muslin_kernel::kernel::{Access, CpuBinding, CpuRun};
+use muslin_kernel::kernel::{Access, CpuBinding};
 use muslin_kernel::memory::{AccessMonitor, Touch};
 use muslin_kernel::running::{self, unlinear};
 use muslin_kernel::{BindingInfo, KernelInfo};
@@ -186,7 +186,7 @@ impl<'a> Races<'a> {
         Self {
             workgroups: workgroups.all.into(),
             size: info.workgroup_size.into(),
-            waits: matches!(info.run, CpuRun::Invocation(_)),
+            waits: info.run.waiting().is_some(),
             layers: info.z_serial,
             elements: (0..len).map(|_| Touched::default()).collect(),
             written,

@@ -10,6 +10,7 @@ use glam::UVec3;
 pub use crate::fused::{check_cast, check_usize, fused, is_far, regrouped};
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Packed, Read, Shared, Write};
+use crate::regions::{Failure, Regions};
 pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
 pub use crate::stop::Scope;
 
@@ -155,6 +156,8 @@ pub struct KernelInfo {
     pub unordered: &'static [&'static str],
     /// The CPU execution.
     pub run: CpuRun,
+    /// Why the CPU runs it as coroutines, which is slow; `None` if it does not.
+    pub coroutines: Option<&'static str>,
     /// The CPU execution of the variant: one invocation, with the workgroup memory of the variant after the bindings.
     ///
     /// # Safety
@@ -229,8 +232,35 @@ pub enum CpuRun {
     Workgroup(WorkgroupRun),
     /// Runs one invocation, which may wait at barriers.
     Invocation(InvocationRun),
+    /// Runs a workgroup region by region; and one invocation, like `Invocation`.
+    Regions(RegionRuns, InvocationRun),
     /// Like `Workgroup`, for each instruction set.
     Lanes(LaneRuns),
+}
+
+impl CpuRun {
+    /// The run of one invocation, if invocations wait for each other.
+    pub const fn waiting(self) -> Option<InvocationRun> {
+        match self {
+            Self::Invocation(run) | Self::Regions(_, run) => Some(run),
+            Self::Workgroup(_) | Self::Lanes(_) => None,
+        }
+    }
+}
+
+/// Runs a workgroup region by region.
+///
+/// # Safety
+/// The same as for [`CpuRun`], with the bindings alone.
+pub type RegionsRun = unsafe fn(&Regions<'_>, &[CpuBinding]) -> Result<(), Failure>;
+
+/// A kernel that is cut at its barriers.
+#[derive(Clone, Copy)]
+pub struct RegionRuns {
+    /// Runs it where nothing is watched.
+    pub plain: RegionsRun,
+    /// Runs it where accesses are watched, iterations counted, or invocations have an order.
+    pub watched: RegionsRun,
 }
 
 /// Runs one invocation of a kernel on the CPU, as [`CpuRun`] says.

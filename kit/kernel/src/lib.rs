@@ -74,6 +74,9 @@ mod pack;
 #[cfg(not(target_arch = "spirv"))]
 mod phase;
 pub mod prelude;
+#[doc(hidden)]
+#[cfg(not(target_arch = "spirv"))]
+pub mod regions;
 #[cfg(not(target_arch = "spirv"))]
 pub mod running;
 pub mod samples;

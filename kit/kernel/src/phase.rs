@@ -32,11 +32,13 @@ pub fn begin(size: UVec3) {
 }
 
 /// The current phase of the thread's workgroup.
+#[inline(always)]
 pub fn current() -> u64 {
     PHASE.get()
 }
 
 /// The first phase of the thread's workgroup.
+#[inline(always)]
 pub fn first() -> u64 {
     FIRST_PHASE.get()
 }

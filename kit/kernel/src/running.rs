@@ -58,6 +58,7 @@ pub fn allow_iterations(max: u32) {
 }
 
 /// The number of iterations left.
+#[inline(always)]
 pub fn iterations_left() -> u32 {
     ITERATIONS.get()
 }
@@ -96,6 +97,7 @@ pub(crate) fn silence(silent: bool) {
 }
 
 /// Index of the thread's invocation.
+#[inline(always)]
 pub fn invocation() -> u32 {
     INVOCATION.get()
 }

@@ -100,7 +100,6 @@ fn divergence(what: &str, places: &[Place], begin: usize, size: UVec3) -> String
         (0..places.len()).partition(|&index| places[index] == places[0]);
     let ways = [places[first[0]], places[others[0]]];
     let side = |indices: &[usize]| {
-        let place = unlinear((begin + indices[0]) as u64, size);
         let does = match places[indices[0]] {
             Some((stop, operation)) => {
                 let kind = if operation.is_some() { "operation" } else { "barrier" };
@@ -108,14 +107,20 @@ fn divergence(what: &str, places: &[Place], begin: usize, size: UVec3) -> String
             }
             None => "has ended".to_owned(),
         };
-        match indices.len() - 1 {
-            0 => format!("invocation {place} {does}"),
-            more => format!("invocation {place} (with {more} more) {does}"),
-        }
+        side([begin + indices[0], indices.len()], size, &does)
     };
     let first = side(&first);
     let others = side(&others);
     format!("{what} in divergent control flow: {first}, while {others}")
+}
+
+/// What some invocations do, in a message: the index of the first, and their number.
+pub fn side([first, count]: [usize; 2], size: UVec3, does: &str) -> String {
+    let place = unlinear(first as u64, size);
+    match count - 1 {
+        0 => format!("invocation {place} {does}"),
+        more => format!("invocation {place} (with {more} more) {does}"),
+    }
 }
 
 /// How an invocation came to its stop, if two came to the same one on different paths.

@@ -1,6 +1,7 @@
 //! Workgroups with barriers on the CPU: each invocation is a coroutine that yields at them.
 //!
-//! A device runs kernels with workgroup memory this way. A unit test beside a kernel does so with [`Workgroup`]:
+//! A device runs a kernel this way if `#[kernel]` cannot cut it into [regions](crate::regions). A unit test beside a kernel runs every
+//! kernel this way, with [`Workgroup`]:
 //!
 //! ```
 //! # extern crate muslin_kernel as muslin;
@@ -30,8 +31,8 @@ use core::panic::Location;
 use core::ptr;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::string::String;
+use std::vec;
 use std::vec::Vec;
-use std::{format, vec};
 
 use bytemuck::Pod;
 use corosensei::stack::DefaultStack;
@@ -41,17 +42,15 @@ use glam::{UVec3, UVec4};
 use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
 use crate::memory::{AccessMonitor, Shared};
+use crate::regions::Failure;
 use crate::running::{self, unlinear};
 use crate::stop::{Meeting, Stop, barrier_is_reached, subgroups_meet};
 use crate::subgroup::Operation;
-use crate::workgroup_memory::WorkgroupMemory;
+use crate::workgroup_memory::{self, UNWRITTEN, WorkgroupMemory};
 use crate::{phase, stop};
 
 /// Stack of an invocation, in bytes: kernels need little, but panics and unoptimized builds need more.
 const STACK: usize = 64 << 10;
-
-/// Workgroup memory before a kernel writes it: as floats it is NaN, and as indices it is out of range.
-const UNWRITTEN: u128 = u128::MAX;
 
 /// An invocation.
 type Body = Coroutine<(), Stop, (), DefaultStack>;
@@ -132,19 +131,18 @@ pub unsafe fn run_bound(
     subgroup_size: Option<u32>,
     is_watched: bool,
 ) -> Result<(), String> {
-    let watch = |shared: &SharedInfo| is_watched.then(|| WorkgroupMemory::new(shared.len));
-    let watches: Vec<_> = shared.iter().map(watch).collect();
+    let watches = workgroup_memory::take(if is_watched { shared } else { &[] });
     let words: usize = shared.iter().map(|shared| shared.bytes.div_ceil(16) as usize).sum();
     // where it is watched, no kernel can see what is there: it must not read unwritten elements
-    let mut memory = vec![UNWRITTEN; words];
+    let mut memory = vec![u128::from_ne_bytes([UNWRITTEN; 16]); words];
     let mut bindings = bindings.to_vec();
     let mut rest = memory.as_mut_slice();
-    for (shared, monitor) in shared.iter().zip(&watches) {
+    for (at, shared) in shared.iter().enumerate() {
         let (head, tail) = rest.split_at_mut(shared.bytes.div_ceil(16) as usize);
         bindings.push(CpuBinding {
             data: head.as_mut_ptr().cast(),
             bytes: shared.bytes as usize,
-            monitor: monitor.as_ref().map(|monitor| monitor as &dyn AccessMonitor),
+            monitor: watches.get(at).map(|watch| watch as &dyn AccessMonitor),
         });
         rest = tail;
     }
@@ -153,16 +151,9 @@ pub unsafe fn run_bound(
     // a thread, so only one at a time touches memory.
     let body = |id| unsafe { run(bindings, id) };
     let place = Invocation::new(UVec3::ZERO, workgroup, workgroups, size);
-    run_to_end(place, &body, order, subgroup_size).map_err(|reason| match reason {
-        Failure::Divergence(reason) => format!("{reason}, in workgroup {workgroup}"),
-        Failure::Memory(reason) => reason,
-    })
-}
-
-/// The reason why a workgroup fails.
-enum Failure {
-    Divergence(String),
-    Memory(String),
+    let result = run_to_end(place, &body, order, subgroup_size);
+    workgroup_memory::give_back(watches);
+    result.map_err(|failure| failure.message(workgroup))
 }
 
 /// Runs all invocations of a workgroup from barrier to barrier. Either all wait at the same barrier, or none waits.

@@ -3,6 +3,7 @@
 
 extern crate std;
 
+use core::cell::RefCell;
 use core::panic::Location;
 use core::sync::atomic::{AtomicU64, Ordering};
 use std::format;
@@ -11,12 +12,37 @@ use std::vec::Vec;
 
 use glam::UVec3;
 
+use crate::kernel::SharedInfo;
 use crate::memory::{AccessMonitor, Touch};
 use crate::phase;
 use crate::running::{self, unlinear};
 
 /// Number of bits in a stamp for the invocation, which is counted from 1.
 const INVOCATION_BITS: u32 = 16;
+
+/// A byte of workgroup memory before a kernel writes it: as floats it is NaN, and as indices it is out of range.
+pub const UNWRITTEN: u8 = u8::MAX;
+
+std::thread_local! {
+    /// What watched the arrays of the thread's last workgroups.
+    static SPARE: RefCell<Vec<WorkgroupMemory>> = const { RefCell::new(Vec::new()) };
+}
+
+/// What watches the arrays of a workgroup.
+pub fn take(arrays: &[SharedInfo]) -> Vec<WorkgroupMemory> {
+    let mut watches = SPARE.take();
+    watches.resize_with(arrays.len(), || WorkgroupMemory::new(0));
+    for (watch, array) in watches.iter_mut().zip(arrays) {
+        // stamps of earlier workgroups have earlier phases
+        watch.elements.resize_with(array.len as usize, Element::default);
+    }
+    watches
+}
+
+/// Keeps it for the next workgroup.
+pub fn give_back(watches: Vec<WorkgroupMemory>) {
+    SPARE.set(watches);
+}
 
 /// Watches an array of workgroup memory.
 ///
@@ -34,6 +60,13 @@ struct Element {
     writer: AtomicU64,
     atomics: [AtomicU64; 2],
     readers: [AtomicU64; 2],
+}
+
+impl Element {
+    /// The stamps of its writes.
+    fn changes(&self) -> impl Iterator<Item = u64> {
+        self.atomics.iter().chain([&self.writer]).map(load)
+    }
 }
 
 /// An access that may conflict with others to the same element in the same phase.
@@ -62,22 +95,54 @@ impl WorkgroupMemory {
     }
 
     /// The running invocation and the phase, as stored in an element. It is never 0.
+    #[inline(always)]
     fn stamp() -> u64 {
         phase::current() << INVOCATION_BITS | u64::from(1 + running::invocation())
     }
 
+    /// The first phase whose writes count.
+    #[inline(always)]
+    fn begin(&self) -> u64 {
+        phase::first().max(self.round.load(Ordering::Relaxed))
+    }
+
     /// Whether nothing was written since the workgroup and the round began.
     fn is_unwritten(&self, element: &Element) -> bool {
-        let begin = phase::first().max(self.round.load(Ordering::Relaxed));
-        let stamps = element.atomics.iter().chain([&element.writer]);
-        stamps.map(load).all(|stamp| stamp >> INVOCATION_BITS < begin)
+        element.changes().all(|stamp| stamp >> INVOCATION_BITS < self.begin())
+    }
+
+    /// Looks whether an access is wrong, and records it.
+    #[cold]
+    #[inline(never)]
+    fn look(
+        &self,
+        name: &str,
+        index: u32,
+        touch: Touch,
+        at: &'static Location<'static>,
+    ) -> Result<(), String> {
+        let element = &self.elements[index as usize];
+        let own = Self::stamp();
+        if let Some(fault) = self.fault(element, touch, own) {
+            let does = match touch {
+                Touch::Read => "reads",
+                Touch::Write => "writes",
+                Touch::Atomic | Touch::Store | Touch::Serial => "atomically changes",
+            };
+            phase::conflict(&format!("{does} element {index} of `{name}`, {fault}"), at);
+        }
+        match touch {
+            Touch::Read => leave(&element.readers, own),
+            Touch::Write => element.writer.store(own, Ordering::Relaxed),
+            Touch::Atomic | Touch::Store | Touch::Serial => leave(&element.atomics, own),
+        }
+        Ok(())
     }
 
     /// The error of an access to an element, if it is wrong.
     fn fault(&self, element: &Element, touch: Touch, own: u64) -> Option<String> {
         if !matches!(touch, Touch::Write | Touch::Store) && self.is_unwritten(element) {
-            let earlier = element.atomics.iter().chain([&element.writer]).map(load);
-            let before = earlier.map(|stamp| stamp >> INVOCATION_BITS).max().unwrap_or(0);
+            let before = element.changes().map(|stamp| stamp >> INVOCATION_BITS).max().unwrap_or(0);
             let when = if before >= phase::first() { "in this round" } else { "yet" };
             return Some(format!(
                 "which no invocation has written {when}: is a write missing, or a barrier?"
@@ -107,6 +172,7 @@ impl WorkgroupMemory {
     }
 }
 
+#[inline(always)]
 fn load(stamp: &AtomicU64) -> u64 {
     stamp.load(Ordering::Relaxed)
 }
@@ -119,6 +185,7 @@ fn other(stamp: u64, own: u64) -> Option<UVec3> {
 }
 
 /// Adds a stamp, and keeps one other invocation's.
+#[inline(always)]
 fn leave([last, before]: &[AtomicU64; 2], own: u64) {
     let found = load(last);
     if found != own {
@@ -135,22 +202,28 @@ impl AccessMonitor for WorkgroupMemory {
         touch: Touch,
         at: &'static Location<'static>,
     ) -> Result<(), String> {
-        let element = &self.elements[index as usize];
+        // nearly always, the phase has no other access yet: this takes less time than to look
+        let Some(element) = self.elements.get(index as usize) else {
+            unreachable!("a view checks it")
+        };
         let own = Self::stamp();
-        if let Some(fault) = self.fault(element, touch, own) {
-            let does = match touch {
-                Touch::Read => "reads",
-                Touch::Write => "writes",
-                Touch::Atomic | Touch::Store | Touch::Serial => "atomically changes",
-            };
-            phase::conflict(&format!("{does} element {index} of `{name}`, {fault}"), at);
-        }
+        let phase = own & !((1 << INVOCATION_BITS) - 1);
+        let begin = self.begin() << INVOCATION_BITS;
+        let writer = load(&element.writer);
+        let [first, second] = [load(&element.atomics[0]), load(&element.atomics[1])];
+        let [reader, another] = [load(&element.readers[0]), load(&element.readers[1])];
+        let is_old = writer < phase && first < phase && second < phase;
         match touch {
-            Touch::Read => leave(&element.readers, own),
-            Touch::Write => element.writer.store(own, Ordering::Relaxed),
-            Touch::Atomic | Touch::Store | Touch::Serial => leave(&element.atomics, own),
+            Touch::Read if is_old && (writer >= begin || first >= begin || second >= begin) => {
+                leave(&element.readers, own);
+                Ok(())
+            }
+            Touch::Write if is_old && (reader < phase || reader == own) && another < phase => {
+                element.writer.store(own, Ordering::Relaxed);
+                Ok(())
+            }
+            _ => self.look(name, index, touch, at),
         }
-        Ok(())
     }
 
     fn begin_round(&self) {

@@ -8,7 +8,7 @@ use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{
     Arm, BinOp, Block, Expr, ExprBinary, ExprCast, ExprForLoop, ExprIf, ExprLoop, ExprWhile, FnArg,
-    Item, ItemFn, Pat, Stmt, Type, parse_quote, parse_quote_spanned,
+    Ident, Item, ItemFn, Pat, Stmt, Type, parse_quote, parse_quote_spanned,
 };
 
 /// Adds the checks to a function. `has_barriers` says at run time whether its path to barriers matters; `None` if it never does.
@@ -17,12 +17,18 @@ pub fn add(block: &mut Block, has_barriers: Option<Expr>) {
     let has_usize = has_usize(block.to_token_stream());
     Checks { notes_paths, has_usize }.visit_block_mut(block);
     if let Some(has_barriers) = has_barriers {
+        let name = own("_has_barriers");
         let statement = parse_quote! {
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            let _has_barriers = #has_barriers;
+            let #name = #has_barriers;
         };
         block.stmts.insert(0, statement);
     }
+}
+
+/// Adds the checks to a part of a function, whose paths to barriers do not matter. `has_usize` is of the whole function.
+pub fn add_to_part(block: &mut Block, has_usize: bool) {
+    Checks { notes_paths: false, has_usize }.visit_block_mut(block);
 }
 
 /// The first word of a function's first loop.
@@ -61,7 +67,7 @@ pub fn takes_invocation(function: &ItemFn) -> bool {
 }
 
 /// Whether there can be a `usize`.
-fn has_usize(tokens: TokenStream) -> bool {
+pub fn has_usize(tokens: TokenStream) -> bool {
     tokens.into_iter().any(|token| match token {
         TokenTree::Group(group) => has_usize(group.stream()),
         TokenTree::Ident(word) => word == "usize" || word == "len",
@@ -105,9 +111,10 @@ impl Checks {
         };
         body.stmts.insert(0, count);
         if self.notes_paths {
+            let scope = own("_scope");
             let round = parse_quote! {
                 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-                _scope.round();
+                #scope.round();
             };
             body.stmts.insert(0, round);
         }
@@ -125,13 +132,14 @@ impl Checks {
             Expr::Paren(paren) => &*paren.expr,
             value => value,
         };
-        let check: Stmt = parse_quote_spanned! { cast.as_token.span() =>
-            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            ::muslin::kernel::check_cast::<#ty, _>(_value);
-        };
         // a panic of what the cast is a part of has its line, too
         let span = cast.as_token.span();
-        cast.expr = parse_quote_spanned! { span => { let _value = #value; #check _value }};
+        let name = own("_value");
+        let check: Stmt = parse_quote_spanned! { span =>
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            ::muslin::kernel::check_cast::<#ty, _>(#name);
+        };
+        cast.expr = parse_quote_spanned! { span => { let #name = #value; #check #name }};
     }
 
     /// Looks at a result, which is a `usize` or not: types are not known here.
@@ -141,6 +149,7 @@ impl Checks {
             Expr::MethodCall(of) => of.method.span(),
             of => of.span(),
         };
+        let name = own("_value");
         *expression = match &*expression {
             Expr::Binary(ExprBinary { left, .. }) if !can_grow(expression) => {
                 parse_quote_spanned! { span => {
@@ -150,10 +159,10 @@ impl Checks {
                 }}
             }
             _ => parse_quote_spanned! { span => {
-                let _value = #expression;
+                let #name = #expression;
                 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-                ::muslin::kernel::check_usize(&_value);
-                _value
+                ::muslin::kernel::check_usize(&#name);
+                #name
             }},
         };
     }
@@ -180,11 +189,18 @@ impl Checks {
 
     /// The beginning of a branch.
     fn branch(span: Span) -> Stmt {
+        let name = own("_has_barriers");
         parse_quote_spanned! { span =>
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            let _branch = ::muslin::kernel::Scope::new(_has_barriers);
+            let _branch = ::muslin::kernel::Scope::new(#name);
         }
     }
+}
+
+/// A name of the checks, which is the same one in a kernel that a macro declares. All else has the span of the checked code: messages have
+/// its place.
+fn own(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
 }
 
 /// The array of `array`, `of.array`, `arrays[i]`, `&array`, `[a, b]`, `array.iter()` or `array.iter().enumerate()`, and whether its elements are numbered.
@@ -244,9 +260,10 @@ impl VisitMut for Checks {
             _ => return,
         };
         if self.notes_paths {
+            let [name, has_barriers] = ["_scope", "_has_barriers"].map(own);
             let scope: Stmt = parse_quote_spanned! { span =>
                 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-                let mut _scope = ::muslin::kernel::Scope::new(_has_barriers);
+                let mut #name = ::muslin::kernel::Scope::new(#has_barriers);
             };
             *expression = parse_quote! {{ #scope #expression }};
         }

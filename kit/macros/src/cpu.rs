@@ -1,24 +1,40 @@
 //! How the CPU runs a kernel.
 
-use proc_macro2::{Span, TokenStream};
-use quote::{format_ident, quote, quote_spanned};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
 
 use crate::parse::{Kernel, Lanes, Parameter, Role};
-use crate::regrouped;
+use crate::{regions, regrouped};
 
 /// `quote!`, whose local names differ from the kernel's bindings.
 macro_rules! hygienic {
-    ($($tokens:tt)*) => { quote_spanned! { Span::mixed_site() => $($tokens)* } };
+    ($($tokens:tt)*) => { ::quote::quote_spanned! { ::proc_macro2::Span::mixed_site() => $($tokens)* } };
 }
+pub(crate) use hygienic;
 
-/// `const fn run()`: a workgroup at a time where no invocation waits for another, else one invocation.
-pub fn cpu_run(kernel: &Kernel) -> TokenStream {
+/// `const fn run()`: a workgroup at a time where no invocation waits for another, or where the kernel is cut into regions, else one
+/// invocation.
+pub fn cpu_run(kernel: &Kernel, has_regions: bool) -> TokenStream {
     let name = &kernel.function.sig.ident;
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     if kernel.waits() {
         let run = invocation_run(kernel, false, &hygienic!(self::#name(id, #(#names),*)));
+        let regions = regions::name(kernel);
+        let run = match has_regions {
+            true => hygienic! {
+                Regions(
+                    ::muslin::kernel::RegionRuns {
+                        // debug builds watch always
+                        plain: self::#regions::<{ !::core::cfg!(debug_assertions) }>,
+                        watched: self::#regions::<false>,
+                    },
+                    #run,
+                )
+            },
+            false => hygienic!(Invocation(#run)),
+        };
         return hygienic! {
-            const fn run() -> ::muslin::kernel::CpuRun { ::muslin::kernel::CpuRun::Invocation(#run) }
+            const fn run() -> ::muslin::kernel::CpuRun { ::muslin::kernel::CpuRun::#run }
         };
     }
     let views = views(kernel, false);
@@ -59,19 +75,13 @@ fn views(kernel: &Kernel, is_variant: bool) -> Vec<TokenStream> {
     let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
     let views = kernel.parameters.iter().filter_map(|parameter| {
         let name = &parameter.name;
-        let element = &parameter.element;
         let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
         let index = *slot;
         let text = crate::expand::text(name);
-        let view = match &parameter.role {
-            Role::Uniform => hygienic!(uniform::<#element>()),
-            Role::Read => hygienic!(read::<#element>()),
-            Role::Packed => hygienic!(packed::<#element>()),
-            Role::Write => hygienic!(write::<#element>()),
-            Role::Shared(len) => hygienic!(shared::<#element, {#len}>()),
-            Role::SharedTile(_) if !is_variant => return None,
-            Role::SharedTile(len) => hygienic!(shared::<#element, {#len}>()),
-        };
+        if matches!(parameter.role, Role::SharedTile(_)) && !is_variant {
+            return None;
+        }
+        let view = view(&parameter.role, &parameter.element);
         *slot += 1;
         // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
         let view = hygienic!(unsafe { bindings[#index].#view });
@@ -81,6 +91,17 @@ fn views(kernel: &Kernel, is_variant: bool) -> Vec<TokenStream> {
         })
     });
     views.collect()
+}
+
+/// The method that makes a binding's view.
+pub fn view(role: &Role, element: &syn::Type) -> TokenStream {
+    match role {
+        Role::Uniform => hygienic!(uniform::<#element>()),
+        Role::Read => hygienic!(read::<#element>()),
+        Role::Packed => hygienic!(packed::<#element>()),
+        Role::Write => hygienic!(write::<#element>()),
+        Role::Shared(len) | Role::SharedTile(len) => hygienic!(shared::<#element, {#len}>()),
+    }
 }
 
 /// Changes a block's arithmetic. Returns whether there was something to change.

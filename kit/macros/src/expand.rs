@@ -6,16 +6,18 @@ use syn::ext::IdentExt;
 use syn::parse_quote;
 use syn::spanned::Spanned;
 
-use crate::checks;
 use crate::cpu::{cpu_run, plain_argument, run_arithmetic, run_variant, with_other_arithmetic};
 use crate::parse::{Attribute, Kernel, Parameter, Role};
+use crate::{checks, regions};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
     let arithmetic = arithmetic_functions(kernel);
     let variants = if kernel.has_variant() { &[false, true][..] } else { &[false] };
     let entries = variants.iter().map(|&is_variant| entry_point(kernel, is_variant));
-    let info = info(kernel);
+    let regions = regions::function(kernel);
+    let info = info(kernel, regions.as_ref().err().filter(|_| kernel.waits()).copied());
+    let regions = regions.ok();
     let dispatch = dispatch(kernel);
     let inputs = inputs(kernel, &dispatch_name(kernel));
     let iterations = kernel.iterations.iter();
@@ -24,6 +26,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
         #[allow(clippy::too_many_arguments)]
         #function
         #arithmetic
+        #regions
         // names what the declaration names, on the GPU too
         #(const _: u32 = #iterations;)*
         #(#entries)*
@@ -49,12 +52,7 @@ pub fn function(kernel: &Kernel) -> syn::ItemFn {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
         let _witness = ::muslin::kernel::PanicContext::new(#name, #id, [#x, #y, #z]);
     };
-    // a kernel that declares no iterations has none, in its helpers either
-    let max = kernel.iterations.as_ref().map_or(quote!(0), |max| match kernel.lanes_type() {
-        // an invocation that takes several lanes may loop over them
-        Some(lanes) => quote!((#max) * #lanes::WIDTH),
-        None => quote!(#max),
-    });
+    let max = max_iterations(kernel);
     let max = parse_quote! {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
         ::muslin::kernel::allow_iterations(#max);
@@ -63,6 +61,15 @@ pub fn function(kernel: &Kernel) -> syn::ItemFn {
     let statements: Vec<syn::Stmt> = [witness, max].into_iter().chain(named).collect();
     function.block.stmts.splice(0..0, statements);
     function
+}
+
+/// Iterations of one invocation. A kernel that declares none has none, in its helpers either.
+pub fn max_iterations(kernel: &Kernel) -> TokenStream {
+    kernel.iterations.as_ref().map_or(quote!(0), |max| match kernel.lanes_type() {
+        // an invocation that takes several lanes may loop over them
+        Some(lanes) => quote!((#max) * #lanes::WIDTH),
+        None => quote!(#max),
+    })
 }
 
 /// The kernel as drivers may compile it that change its arithmetic. Only debug builds on the CPU have it.
@@ -200,8 +207,8 @@ fn each(kernel: &Kernel) -> TokenStream {
     }
 }
 
-/// The registry's entry: what the manifest says, and how the CPU runs it.
-fn info(kernel: &Kernel) -> TokenStream {
+/// The registry's entry: what the manifest says, and how the CPU runs it. `kept` says why as coroutines.
+fn info(kernel: &Kernel, kept: Option<regions::Kept>) -> TokenStream {
     let name = &kernel.function.sig.ident;
     let name_text = text(name);
     let info_name = info_name(kernel);
@@ -238,7 +245,11 @@ fn info(kernel: &Kernel) -> TokenStream {
         parameter.role.is_binding() && !matches!(parameter.role, Role::Uniform)
     };
     let storage_buffers = kernel.parameters.iter().filter(is_storage).count() as u32;
-    let run = cpu_run(kernel);
+    let run = cpu_run(kernel, kept.is_none());
+    let coroutines = match kept {
+        Some(why) => quote!(::core::option::Option::Some(#why)),
+        None => quote!(::core::option::Option::None),
+    };
     let run_variant = run_variant(kernel);
     let run_arithmetic = run_arithmetic(kernel);
     let Attribute { fused, subgroups, z_serial, z_innermost, .. } = &kernel.attribute;
@@ -270,6 +281,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 over: #over,
                 unordered: &[#(#unordered),*],
                 run: run(),
+                coroutines: #coroutines,
                 run_variant: #run_variant,
                 run_arithmetic: RUN_ARITHMETIC,
             }

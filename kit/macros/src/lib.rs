@@ -64,6 +64,7 @@ mod checks;
 mod cpu;
 mod expand;
 mod parse;
+mod regions;
 mod regrouped;
 #[cfg(test)]
 mod tests;

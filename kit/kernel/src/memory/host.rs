@@ -104,6 +104,15 @@ fn monitored(monitor: &dyn AccessMonitor, name: &str, index: u32, touch: Touch) 
     }
 }
 
+#[cfg(debug_assertions)]
+#[inline(never)]
+#[track_caller]
+fn watched(monitor: &&dyn AccessMonitor, name: &&'static str, index: u32, touch: Touch) {
+    if let Err(reason) = monitor.touch(name, index, touch, Location::caller()) {
+        panic!("{reason}");
+    }
+}
+
 /// Methods of both views of a buffer.
 macro_rules! impl_named {
     ($($view:ident),*) => {$(
@@ -295,11 +304,16 @@ impl<'a, T: Copy> Write<'a, T> {
         if index as usize >= self.len {
             out_of_range(index, self.len, self.name);
         }
+        // what is not optimized passes addresses on
+        #[cfg(debug_assertions)]
+        if let Some(monitor) = &self.monitor {
+            watched(monitor, &self.name, index, touch);
+        }
+        #[cfg(not(debug_assertions))]
         if let Some(monitor) = self.monitor {
             monitored(monitor, self.name, index, touch);
         }
-        // SAFETY: checked above
-        unsafe { self.data.add(index as usize) }
+        self.data.wrapping_add(index as usize)
     }
 }
 

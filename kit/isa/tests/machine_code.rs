@@ -71,6 +71,9 @@ fn every_kernel_has_machine_code(family: &str) {
     assert!(report.kernels.iter().any(|kernel| !kernel.loops.is_empty()));
 }
 
+/// A test of a family.
+type Test = fn(&str);
+
 // without a harness, because the program is also the process that compiles
 fn main() -> ExitCode {
     if answer() {
@@ -79,7 +82,7 @@ fn main() -> ExitCode {
     // what `cargo test NAME` and other programs ask
     let arguments: Vec<_> = env::args().skip(1).collect();
     let wanted: Vec<_> = arguments.iter().filter(|argument| !argument.starts_with('-')).collect();
-    let tests: [(&str, fn(&str)); 2] = [
+    let tests: [(&str, Test); 2] = [
         ("machine_code_is_as_accepted", machine_code_is_as_accepted),
         ("every_kernel_has_machine_code", every_kernel_has_machine_code),
     ];

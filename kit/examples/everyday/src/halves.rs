@@ -38,7 +38,10 @@ fn bits(x: f32) -> u32 {
     let bits = x.to_bits();
     match x == 0.0 {
         true => bits >> 16,
-        false => (bits >> 16 & 0x8000) + ((bits >> 23 & 0xff) - 112 << 10) + (bits >> 13 & 0x3ff),
+        false => {
+            let exponent = ((bits >> 23) & 0xff) - 112;
+            ((bits >> 16) & 0x8000) + (exponent << 10) + ((bits >> 13) & 0x3ff)
+        }
     }
 }
 
@@ -56,7 +59,7 @@ impl Parity for HalvesPack {
 
     fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
         let pair = self.numbers[index];
-        Some((bits(pair.x) | bits(pair.y) << 16).into())
+        Some((bits(pair.x) | (bits(pair.y) << 16)).into())
     }
 }
 
@@ -68,7 +71,8 @@ impl Parity for HalvesAdd {
             let terms = exact_halves(2 * words, random);
             let mut number = || random.between(-1.0, 1.0);
             let numbers = (0..words).map(|_| Vec2::new(number(), number())).collect();
-            let terms = terms.chunks(2).map(|pair| bits(pair[0]) | bits(pair[1]) << 16).collect();
+            let word = |pair: &[f32]| bits(pair[0]) | (bits(pair[1]) << 16);
+            let terms = terms.chunks(2).map(word).collect();
             Self(HalvesAddInputs { params: HalvesParams { words }, terms, numbers })
         })
     }

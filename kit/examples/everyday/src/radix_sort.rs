@@ -51,7 +51,7 @@ fn keys(count: u32, random: &mut Random) -> Vec<u32> {
 
 /// The digit of a key.
 fn digit(key: u32, params: &RadixParams) -> u32 {
-    key >> params.shift & (DIGITS - 1)
+    (key >> params.shift) & (DIGITS - 1)
 }
 
 /// How often each digit occurs in each block, digit by digit.

@@ -27,11 +27,17 @@ fn best(mut run: impl FnMut()) -> f64 {
     (0..7).map(time).fold(f64::INFINITY, f64::min)
 }
 
-/// A subject: its name, ordinary Rust, and its run on a device, which has the inputs.
+/// What is measured on a device, which has the inputs.
+type Run<'d> = Box<dyn Fn() -> Result<()> + 'd>;
+
+/// Gives a device the inputs.
+type Prepare = Box<dyn Fn(&Device) -> Result<Run<'_>>>;
+
+/// A subject: its name, ordinary Rust, and its run on a device.
 struct Subject {
     name: &'static str,
     rust: Box<dyn Fn()>,
-    device: Box<dyn Fn(&Device) -> Result<Box<dyn Fn() -> Result<()> + '_>>>,
+    device: Prepare,
 }
 
 fn subjects() -> Vec<Subject> {

@@ -13,6 +13,7 @@ use crate::sandbox::{Sandbox, program};
 const NOT_RUN: &[(&str, &str)] = &[
     ("cargo test", "these tests"),
     ("INSTA_UPDATE=always", "it changes the repository"),
+    ("MUSLIN_WRITE_ISA=1", "it changes the repository"),
     ("cargo insta ", "it is installed apart, and asks questions"),
     ("cargo xtask", "`.ci/run` runs it: it needs the shader compiler"),
     ("scripts/build-rust-gpu-toolchain.sh", "`.ci/run` runs it: it takes 25 minutes at first"),

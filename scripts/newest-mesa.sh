@@ -24,14 +24,13 @@ program=$(readlink -f "$1")
 shift
 exec unshare --mount bash -c '
   set -euo pipefail
-  system=$1 here=$2 program=$3
-  shift 3
+  system=$1 here=$2 workspace=$3 program=$4
+  shift 4
   mount -t proc proc "$system/proc"
   mount --rbind /dev "$system/dev"
-  for folder in /tmp "${@:1:2}" "$(dirname "$program")"; do
+  for folder in /tmp "$here" "$workspace" "$(dirname "$program")"; do
     mkdir -p "$system$folder"
     mount --rbind "$folder" "$system$folder"
   done
-  shift 2
   exec chroot "$system" /usr/bin/env -C "$here" VK_DRIVER_FILES=/usr/share/vulkan/icd.d/lvp_icd.json "$program" "$@"
-' bash "$system" "$here" "$program" "$workspace" "$here" "$@"
+' bash "$system" "$here" "$workspace" "$program" "$@"

@@ -91,7 +91,7 @@ case!(pub HashFind(HashFindInputs));
 
 impl Parity for HashFind {
     fn sets() -> Vec<(String, Self)> {
-        // each key has the place of its own number, and those beside it: 7 is full around its end
+        // key 5 has the only place: key 6 looks for one as often as it may
         let set = |count: u32| {
             let params = TableParams { count, places: 1 };
             let inputs = HashFindInputs {

@@ -1,4 +1,6 @@
 //! Exclusive prefix sums, in two ways: in passes, and in a single pass that looks back.
+//!
+//! The sum within a block stands in both: a CPU cuts kernels only at barriers that it sees, and not at those of a function.
 
 use muslin::prelude::*;
 

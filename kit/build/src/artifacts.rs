@@ -52,13 +52,18 @@ fn is_module(name: &str) -> bool {
     name.ends_with(".spv")
 }
 
-/// The modules in a folder that do not belong to any kernel anymore.
+/// Whether this program writes files of this name, besides the manifest.
+fn is_ours(name: &str) -> bool {
+    is_module(name) || name.ends_with(".wgsl")
+}
+
+/// The modules and translations in a folder that do not belong to any kernel anymore.
 fn stale(artifacts: &Artifacts, folder: &Path) -> Result<Vec<String>> {
     let mut stale = Vec::new();
     // A folder that does not exist yet is empty.
     for entry in fs::read_dir(folder).into_iter().flatten() {
         let name = entry?.file_name().to_string_lossy().into_owned();
-        if is_module(&name) && !artifacts.0.contains_key(&name) {
+        if is_ours(&name) && !artifacts.0.contains_key(&name) {
             stale.push(name);
         }
     }
@@ -95,11 +100,11 @@ mod tests {
     #[test]
     fn writing_replaces_changed_files_and_removes_stale_ones() {
         let folder = tempfile::tempdir().unwrap();
-        let old = artifacts(&[("a.spv", b"1"), ("b.spv", b"2")]);
-        assert_eq!(old.write(folder.path()).unwrap(), 3);
+        let old = artifacts(&[("a.spv", b"1"), ("b.spv", b"2"), ("b.wgsl", b"3")]);
+        assert_eq!(old.write(folder.path()).unwrap(), 4);
         assert_eq!(old.write(folder.path()).unwrap(), 0);
         let new = artifacts(&[("a.spv", b"1"), ("c.spv", b"3")]);
-        assert_eq!(new.write(folder.path()).unwrap(), 2);
+        assert_eq!(new.write(folder.path()).unwrap(), 3);
         assert!(!folder.path().join("b.spv").exists());
         assert_eq!(fs::read(folder.path().join("c.spv")).unwrap(), b"3");
     }

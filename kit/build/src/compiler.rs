@@ -10,7 +10,7 @@ use std::{env, fmt, fs};
 use crate::artifacts::Artifacts;
 use crate::lower::{self, lower};
 use crate::{Project, errors, module, rules, small_integers, validate};
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use cargo_gpu_install::install::Install;
 use muslin_kernel::{EntryPoint, KernelInfo};
 use muslin_manifest as manifest;
@@ -231,6 +231,11 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
         let spirv = lower(&spirv, kernel.fused, kernel.workgroup_size).with_context(context)?;
         module::check(kernel, &point, &spirv).with_context(context)?;
         validate::check(&spirv).with_context(context)?;
+        if project.wgsl && point.name == kernel.name {
+            let text = manifest::to_wgsl(&spirv);
+            let text = text.map_err(|reason| anyhow!("the module is not for browsers: {reason}"));
+            files.insert(format!("{name}.wgsl"), text.with_context(context)?.into_bytes());
+        }
         let entry = entry(kernel, &point, &spirv);
         files.insert(entry.spirv.clone(), spirv);
         entries.push(entry);

@@ -39,6 +39,9 @@ pub struct Project {
     pub sources: Vec<String>,
     /// The folder of the modules and their manifest, relative to the workspace.
     pub kernels: String,
+    /// Whether to write the kernels in WGSL beside their modules, too, for pages that read files. Variants are left out, because browsers
+    /// refuse their barriers.
+    pub wgsl: bool,
     /// Cargo's target folder.
     pub target: PathBuf,
 }
@@ -59,6 +62,7 @@ impl Project {
             shader_crate: shader_crate.into(),
             sources: vec![shader_crate.into()],
             kernels: "compiled".into(),
+            wgsl: false,
             // Joining an absolute path returns that path.
             target: root.join(target),
             root,

@@ -88,8 +88,6 @@ mod plan;
 mod races;
 mod thorough;
 mod transfer;
-#[cfg(feature = "wgsl")]
-mod wgsl;
 
 pub use buffer::{Buffer, Count, Host, TAIL_ALIGNMENT};
 pub use device::{Device, KernelTime, Traffic};

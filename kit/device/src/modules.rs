@@ -62,6 +62,18 @@ impl CompiledKernel {
         self.spirv
     }
 
+    /// The module in WGSL, for browsers.
+    ///
+    /// # Errors
+    /// [`Error::StaleKernels`] if it needs what browsers do not have, as most variants do.
+    #[cfg(feature = "wgsl")]
+    pub fn to_wgsl(&self) -> Result<String> {
+        muslin_manifest::to_wgsl(self.spirv).map_err(|error| {
+            let reason = format!("`{}` is not for browsers: {error}", self.entry.name);
+            Error::StaleKernels { reason }
+        })
+    }
+
     /// The module as SPIR-V words.
     #[must_use]
     pub fn spirv_words(&self) -> Cow<'static, [u32]> {

@@ -6,6 +6,8 @@
 
 mod source;
 mod table;
+#[cfg(feature = "wgsl")]
+mod wgsl;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,6 +17,8 @@ use sha2::{Digest, Sha256};
 
 pub use source::{STALE, embed, embed_compiled, locked_version, source_hash};
 pub use table::{Table, grouped};
+#[cfg(feature = "wgsl")]
+pub use wgsl::to_wgsl;
 
 /// Version of the manifest's layout that this crate reads and writes.
 pub const FORMAT_VERSION: u32 = 4;

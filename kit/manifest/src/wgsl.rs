@@ -1,26 +1,14 @@
 //! Modules in WGSL, for browsers.
 
-use wgpu::naga::back::wgsl::{WriterFlags, write_string};
-use wgpu::naga::front::spv;
-use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::back::wgsl::{WriterFlags, write_string};
+use naga::front::spv;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-use crate::modules::CompiledKernel;
-use crate::{Error, Result};
-
-impl CompiledKernel {
-    /// Translates the module to WGSL, for browsers.
-    ///
-    /// # Errors
-    /// [`Error::StaleKernels`] if it needs what browsers do not have, as most variants do.
-    pub fn to_wgsl(&self) -> Result<String> {
-        translated(self.spirv()).map_err(|error| {
-            let reason = format!("`{}` is not for browsers: {error}", self.entry().name);
-            Error::StaleKernels { reason }
-        })
-    }
-}
-
-fn translated(spirv: &[u8]) -> std::result::Result<String, String> {
+/// Translates a module to WGSL. Most variants need what browsers do not have.
+///
+/// # Errors
+/// The reason, if the module is not for browsers.
+pub fn to_wgsl(spirv: &[u8]) -> Result<String, String> {
     // The largest f32 as naga writes it. In decimal it is rounded up, so browsers refuse it
     // (https://github.com/gfx-rs/wgpu/issues/10106).
     const LARGEST: &str = "340282350000000000000000000000000000000f";

@@ -90,6 +90,23 @@ pub fn column<L: Lane>(
     sum
 }
 
+/// Four rows of a buffer, from a row on.
+#[inline(always)]
+pub fn read_column<S: Samples>(buffer: ReadFours<f32>, first: u32, stride: u32) -> LaneVec4<S> {
+    LaneVec4 {
+        x: S::read(buffer, first),
+        y: S::read(buffer, first + stride),
+        z: S::read(buffer, first + 2 * stride),
+        w: S::read(buffer, first + 3 * stride),
+    }
+}
+
+/// The smaller of two numbers.
+#[inline(always)]
+pub fn min(a: u32, b: u32) -> u32 {
+    if a < b { a } else { b }
+}
+
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.

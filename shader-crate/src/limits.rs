@@ -47,5 +47,5 @@ pub const MAX_CAMERAS: u32 = 4_096;
 pub const MAX_PHOTOGRAPHS: u32 = 30_000;
 
 /// Samples of a slice that one invocation of
-/// [`dense_weight_backward`](crate::dense_backward::dense_weight_backward) adds up.
+/// [`dense_weight_backward`](crate::dense_weight_backward::dense_weight_backward) adds up.
 pub const MAX_SLICE: u32 = 4_096;

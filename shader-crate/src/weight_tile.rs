@@ -1,4 +1,4 @@
-//! The variant of [`dense_weight_backward`](crate::dense_backward::dense_weight_backward()): a workgroup multiplies from workgroup
+//! The variant of [`dense_weight_backward`](crate::dense_weight_backward::dense_weight_backward()): a workgroup multiplies from workgroup
 //! memory.
 //!
 //! A workgroup takes a tile of the weights, of 64 inputs and 32 outputs, and an invocation 8 inputs and 4 outputs of it. The
@@ -9,9 +9,10 @@
 
 use glam::Vec4;
 
-use crate::dense_backward::{
+use crate::dense::min;
+use crate::weight_slice::{
     DenseWeightBackwardParams, Outputs, QUAD, QuadCursor, SlicePart, add_quad, add_sums, begin_sum,
-    begin_sums, min, quad_of_row, total,
+    begin_sums, quad_of_row, total,
 };
 use muslin::lane_vec4::LaneVec4;
 use muslin::prelude::*;

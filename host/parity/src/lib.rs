@@ -16,6 +16,7 @@ mod composite_backward;
 mod count;
 mod dense;
 mod dense_backward;
+mod dense_weight_backward;
 pub mod exact;
 mod exposure;
 mod hash_grid;

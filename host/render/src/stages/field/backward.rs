@@ -3,9 +3,9 @@
 
 use std::sync::Mutex;
 
-use organza_shaders::dense_backward::{
-    DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-};
+use organza_shaders::dense_backward::{DenseBackwardKernel, DenseBackwardParams};
+use organza_shaders::dense_weight_backward::DenseWeightBackwardKernel;
+use organza_shaders::weight_slice::DenseWeightBackwardParams;
 
 use super::Inputs;
 use super::samples::{Chunks, Layout};

@@ -8,11 +8,10 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use super::masks::{self, mask_of};
+use super::paths::{IMAGES, is_there, sibling};
 use organza_core::Result;
 use organza_core::input::has_extension;
 
-/// Name of the folder of photographs. `masks`, `images_2` and so on are beside it.
-pub(super) const IMAGES: &str = "images";
 /// Most tails of a photograph's path that are tried: a path may have any length.
 const DEEPEST: usize = 32;
 /// Most files that are named as not used.
@@ -116,16 +115,6 @@ fn tails(path: &Path) -> Vec<PathBuf> {
     std::iter::once(path.to_owned()).chain(tails).collect()
 }
 
-/// The path with one of its folders replaced; `None` if it has no such folder.
-pub(super) fn sibling(path: &Path, folder: &str, by: &str) -> Option<PathBuf> {
-    let at = path.parent()?.components().position(|part| part.as_os_str() == folder)?;
-    let replace = |(index, part): (usize, Component<'_>)| match index == at {
-        true => OsStr::new(by).to_owned(),
-        false => part.as_os_str().to_owned(),
-    };
-    Some(path.components().enumerate().map(replace).collect())
-}
-
 /// The file `path` below `folder`, with an extension if it lacks one, or with another, because tools convert photographs;
 /// `None` if it does not exist.
 pub(super) fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
@@ -141,9 +130,4 @@ pub(super) fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
         Some(path.with_extension(&extension[1..]))
     });
     EXTENSIONS.iter().map(with).chain(replaced).find(|path| is_there(&folder.join(path)))
-}
-
-/// Whether there is something to read. If it is a pipe or a device, reading it reports that.
-pub(super) fn is_there(path: &Path) -> bool {
-    path.exists() && !path.is_dir()
 }

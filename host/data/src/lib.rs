@@ -13,6 +13,7 @@ mod lens;
 pub mod masks;
 mod options;
 pub mod panorama;
+mod paths;
 mod photograph;
 pub mod ply;
 mod poses;

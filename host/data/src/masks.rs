@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use super::decode::Decoded;
-use super::find::{IMAGES, is_there, sibling};
+use super::paths::{IMAGES, is_there, sibling};
 
 /// Folders of masks beside `images`, the first of which counts. RealityScan's begins with a dot.
 pub(super) const FOLDERS: [&str; 3] = ["masks", "mask", ".mask"];

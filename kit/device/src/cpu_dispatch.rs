@@ -89,7 +89,7 @@ impl Launch<'_> {
                 for &index in order.unwrap_or(&usual) {
                     enter(index as u32);
                     let local = unlinear(index, size);
-                    let id = Invocation::new(local, place, self.workgroups, size);
+                    let id = Invocation::new(local, place, self.workgroups, size).dispatched();
                     // SAFETY: as above
                     unsafe { run(self.bindings, id) };
                 }

@@ -2,10 +2,10 @@
 //!
 //! Not every GPU has 64-bit integers. So a sum is two words in two's complement, the low one first.
 
-use crate::math::{abs, to_u32};
 use crate::memory::Write;
 #[cfg(target_arch = "spirv")]
 use crate::memory::{ReadBuffer, WriteBuffer};
+use crate::scalar::{abs, to_u32};
 
 /// 2^32
 const WORD: f32 = 4_294_967_296.0;
@@ -52,7 +52,7 @@ pub fn integers<const N: usize>(mut x: [f32; N]) -> [i64; N] {
     /// The number before 1/2: with 1/2 itself the sum of both would be 1.
     const ALMOST_HALF: f32 = 0.499_999_97;
     if cfg!(debug_assertions) && N == 1 {
-        crate::fused::check_number(x[0]);
+        crate::casts::check_number(x[0]);
     }
     // with sixteen lanes there is an instruction for it
     if N == 8

@@ -45,6 +45,15 @@ impl Invocation {
         }
     }
 
+    /// The same invocation, in a dispatch of a kernel that declares no barriers.
+    #[doc(hidden)]
+    #[cfg(not(target_arch = "spirv"))]
+    #[inline(always)]
+    #[must_use]
+    pub fn dispatched(self) -> Self {
+        Self { wait: undeclared_barrier, ..self }
+    }
+
     /// The same invocation, handling `each` items.
     #[inline(always)]
     #[must_use]
@@ -138,14 +147,17 @@ impl Invocation {
 #[cfg(not(target_arch = "spirv"))]
 #[track_caller]
 fn no_barrier(_: &'static Location<'static>) {
-    match crate::running::current() {
-        Some(_) => panic!(
-            "a barrier in a kernel without workgroup memory: if it is a storage barrier, the kernel says so, \
-             `#[kernel(.., storage_barriers)]`"
-        ),
-        None => panic!(
-            "a barrier, and no other invocation runs: a test calls a kernel with barriers through \
-             `muslin::workgroup::Workgroup`"
-        ),
-    }
+    panic!(
+        "a barrier, and no other invocation runs: a test calls a kernel with barriers through \
+         `muslin::workgroup::Workgroup`"
+    )
+}
+
+#[cfg(not(target_arch = "spirv"))]
+#[track_caller]
+fn undeclared_barrier(_: &'static Location<'static>) {
+    panic!(
+        "a barrier in a kernel without workgroup memory: if it is a storage barrier, the kernel says so, \
+         `#[kernel(.., storage_barriers)]`"
+    )
 }

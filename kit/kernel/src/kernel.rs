@@ -2,15 +2,14 @@
 
 extern crate std;
 
-use core::slice;
-
 use bytemuck::Pod;
 use glam::UVec3;
 
-pub use crate::fused::{check_cast, check_usize, fused, is_far, regrouped};
+pub use crate::binding::{CpuBinding, Number, Params, SharedInfo};
+pub use crate::casts::{check_cast, check_usize};
+pub use crate::fused::{fused, is_far, regrouped};
 use crate::invocation::Invocation;
-use crate::memory::{AccessMonitor, Packed, Read, Shared, Write};
-use crate::regions::{Failure, Regions};
+pub use crate::regions::{RegionRuns, RegionsRun};
 pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
 pub use crate::stop::Scope;
 
@@ -50,37 +49,6 @@ pub struct BindingInfo {
     /// Size of what a GPU reads at once: a vector of [`Fours`](crate::memory::Fours), otherwise an element.
     pub device_bytes: u32,
 }
-
-/// An array of a kernel in workgroup memory.
-#[derive(Clone, Copy, Debug)]
-pub struct SharedInfo {
-    /// Name of the parameter.
-    pub name: &'static str,
-    /// Type of an element.
-    pub element: &'static str,
-    /// Number of elements.
-    pub len: u32,
-    /// Size of the array, in bytes.
-    pub bytes: u32,
-}
-
-/// Structs with `#[params]`.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not declared as parameters of a kernel",
-    label = "write `#[params]` above this struct"
-)]
-pub trait Params: Pod {}
-
-/// Types of the fields of [`Params`]: they lie on a GPU as in Rust.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is no type for a field of `#[params]`",
-    label = "use `u32`, `i32` and `f32`: one field for each number"
-)]
-pub trait Number: Pod {}
-
-impl Number for u32 {}
-impl Number for i32 {}
-impl Number for f32 {}
 
 /// The bytes of a kernel's parameters.
 #[doc(hidden)]
@@ -248,21 +216,6 @@ impl CpuRun {
     }
 }
 
-/// Runs a workgroup region by region.
-///
-/// # Safety
-/// The same as for [`CpuRun`], with the bindings alone.
-pub type RegionsRun = unsafe fn(&Regions<'_>, &[CpuBinding]) -> Result<(), Failure>;
-
-/// A kernel that is cut at its barriers.
-#[derive(Clone, Copy)]
-pub struct RegionRuns {
-    /// Runs it where nothing is watched.
-    pub plain: RegionsRun,
-    /// Runs it where accesses are watched, iterations counted, or invocations have an order.
-    pub watched: RegionsRun,
-}
-
 /// Runs one invocation of a kernel on the CPU, as [`CpuRun`] says.
 pub type InvocationRun = unsafe fn(&[CpuBinding], Invocation);
 
@@ -393,63 +346,6 @@ macro_rules! lane_run {
     };
 }
 pub use crate::lane_run;
-
-/// Memory of one binding.
-#[derive(Clone, Copy)]
-pub struct CpuBinding<'a> {
-    /// Address of the first byte.
-    pub data: *mut u8,
-    /// Size in bytes.
-    pub bytes: usize,
-    /// Watches every access: if the binding is written and races are checked, and if parts of it are unwritten.
-    pub monitor: Option<&'a dyn AccessMonitor>,
-}
-
-// SAFETY: a pointer and a size; `CpuRun`'s contract restricts their use
-unsafe impl Send for CpuBinding<'_> {}
-// SAFETY: as above
-unsafe impl Sync for CpuBinding<'_> {}
-
-impl<'a> CpuBinding<'a> {
-    /// # Safety
-    /// The binding must contain a `T`.
-    pub unsafe fn uniform<T: Params>(self) -> &'a T {
-        // SAFETY: the caller's
-        let bytes = unsafe { slice::from_raw_parts(self.data, self.bytes) };
-        bytemuck::from_bytes(bytes)
-    }
-
-    /// # Safety
-    /// The same as for [`Read::from_raw`].
-    pub unsafe fn read<T: Pod>(self) -> Read<'a, T> {
-        // SAFETY: the caller's
-        unsafe { Read::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
-            .monitored(self.monitor)
-    }
-
-    /// # Safety
-    /// The same as for [`Read::from_raw`].
-    pub unsafe fn packed<T: Pod>(self) -> Packed<'a, T> {
-        // SAFETY: the caller's
-        Packed(unsafe { self.read() })
-    }
-
-    /// # Safety
-    /// The same as for [`Write::from_raw`].
-    pub unsafe fn write<T: Pod>(self) -> Write<'a, T> {
-        // SAFETY: the caller's
-        unsafe { Write::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
-            .monitored(self.monitor)
-    }
-
-    /// # Safety
-    /// The same as for [`Shared::from_raw`].
-    pub unsafe fn shared<T: Pod, const N: usize>(self) -> Shared<'a, T, N> {
-        debug_assert_eq!(self.bytes, size_of::<[T; N]>());
-        // SAFETY: the caller's
-        unsafe { Shared::from_raw(self.data.cast()) }.monitored(self.monitor)
-    }
-}
 
 /// The types of buffers. The host implements it once for all its backends.
 pub trait Storage {

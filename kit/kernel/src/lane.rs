@@ -23,7 +23,10 @@ use crate::memory::{Read, Write};
 use crate::memory::{ReadBuffer, WriteBuffer};
 
 #[cfg(not(target_arch = "spirv"))]
-pub use crate::wide::{Wide, WideIndex, WideMask};
+pub use wide::{Wide, WideIndex, WideMask};
+
+#[cfg(not(target_arch = "spirv"))]
+mod wide;
 
 /// Largest number of lanes in a [`Lane`]: workgroups are multiples of it.
 pub const MAX_WIDTH: u32 = 16;
@@ -200,7 +203,7 @@ impl Lane for f32 {
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        crate::math::sqrt(self)
+        crate::scalar::sqrt(self)
     }
 
     #[inline(always)]
@@ -217,13 +220,13 @@ impl Lane for f32 {
 
     #[inline(always)]
     fn truncate(self) -> Self {
-        crate::math::truncate(self)
+        crate::scalar::truncate(self)
     }
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
     fn index(self) -> u32 {
-        crate::math::to_u32(self)
+        crate::scalar::to_u32(self)
     }
 
     #[inline(always)]

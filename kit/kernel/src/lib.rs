@@ -52,8 +52,19 @@ compile_error!("words and 64-bit sums are read as GPUs store them, with the low 
 // `#[kernel]` generates the path `::muslin`, also in this crate
 extern crate self as muslin;
 
+// before `lane`, which has its macros
+#[cfg(not(target_arch = "spirv"))]
+#[macro_use]
+mod wide_macros;
+
 pub mod atomic;
+#[cfg(not(target_arch = "spirv"))]
+mod binding;
 pub mod binned;
+#[cfg(not(target_arch = "spirv"))]
+mod casts;
+#[cfg(not(target_arch = "spirv"))]
+mod conflict;
 pub mod count;
 #[doc(hidden)]
 pub mod each;
@@ -80,17 +91,11 @@ pub mod regions;
 #[cfg(not(target_arch = "spirv"))]
 pub mod running;
 pub mod samples;
+mod scalar;
 pub mod shared_tile;
 #[cfg(not(target_arch = "spirv"))]
 mod stop;
 pub mod subgroup;
-#[cfg(not(target_arch = "spirv"))]
-#[macro_use]
-mod wide_macros;
-#[cfg(not(target_arch = "spirv"))]
-mod wide;
-#[cfg(not(target_arch = "spirv"))]
-mod wide_samples;
 #[cfg(all(not(target_arch = "spirv"), target_arch = "x86_64"))]
 mod wide_vectors;
 #[cfg(not(target_arch = "spirv"))]

@@ -2,14 +2,9 @@
 
 extern crate std;
 
-use core::cell::{Cell, RefCell};
-use core::panic::Location;
-use std::format;
-use std::string::String;
+use core::cell::Cell;
 
 use glam::UVec3;
-
-use crate::running::{self, unlinear};
 
 std::thread_local! {
     /// Number of barriers and workgroups so far. Between two of them is a phase.
@@ -20,15 +15,12 @@ std::thread_local! {
     static FIRST_PHASE: Cell<u64> = const { Cell::new(1) };
     /// The phase that began with the last storage barrier.
     static STORAGE_PHASE: Cell<u64> = const { Cell::new(1) };
-    /// The first conflict of a phase in workgroup memory.
-    static CONFLICT: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
 /// Begins a workgroup of this size.
 pub fn begin(size: UVec3) {
     FIRST_PHASE.set(PHASE.get());
     SIZE.set(size);
-    CONFLICT.set(None);
 }
 
 /// The current phase of the thread's workgroup.
@@ -61,23 +53,4 @@ pub fn begin_storage() {
 /// Tells apart what lies between two storage barriers of the thread's workgroup. Plain barriers do not change it.
 pub fn storage() -> u64 {
     STORAGE_PHASE.get()
-}
-
-/// Records that an invocation uses workgroup memory wrongly. The workgroup fails at the end of the phase: only then
-/// is it known whether the cause is a barrier that some invocations have not reached.
-pub fn conflict(reason: &str, at: &'static Location<'static>) {
-    CONFLICT.with_borrow_mut(|conflict| {
-        conflict.get_or_insert_with(|| match running::current() {
-            Some(place) => format!("{reason}, at {at}, in {place}"),
-            None => {
-                let invocation = unlinear(running::invocation().into(), size());
-                format!("{reason}, at {at}, in invocation {invocation} of the workgroup")
-            }
-        });
-    });
-}
-
-/// The first conflict since the last call.
-pub fn take_conflict() -> Option<String> {
-    CONFLICT.take()
 }

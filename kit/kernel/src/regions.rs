@@ -18,8 +18,9 @@ use std::vec::Vec;
 use bytemuck::Pod;
 use glam::UVec3;
 
+use crate::binding::{CpuBinding, SharedInfo};
+use crate::conflict;
 use crate::invocation::Invocation;
-use crate::kernel::{CpuBinding, RegionRuns, SharedInfo};
 use crate::memory::{AccessMonitor, Shared};
 use crate::phase;
 use crate::running::{self, unlinear};
@@ -58,6 +59,21 @@ pub struct Regions<'a> {
     common: Cell<u32>,
     /// Most other iterations that an invocation has run.
     most: Cell<u32>,
+}
+
+/// Runs a workgroup region by region.
+///
+/// # Safety
+/// The same as for [`CpuRun`](crate::kernel::CpuRun), with the bindings alone.
+pub type RegionsRun = unsafe fn(&Regions<'_>, &[CpuBinding]) -> Result<(), Failure>;
+
+/// A kernel that is cut at its barriers.
+#[derive(Clone, Copy)]
+pub struct RegionRuns {
+    /// Runs it where nothing is watched.
+    pub plain: RegionsRun,
+    /// Runs it where accesses are watched, iterations counted, or invocations have an order.
+    pub watched: RegionsRun,
 }
 
 /// An invocation of a workgroup that is not plain.
@@ -108,6 +124,7 @@ pub unsafe fn run_regions(
     }
     phase::next();
     phase::begin(size);
+    conflict::take();
     let watches = workgroup_memory::take(if is_watched { shared } else { &[] });
     let turns = turns(size);
     let regions = Regions::new(first, order, &watches, &turns);
@@ -119,7 +136,7 @@ pub unsafe fn run_regions(
     if let Ok(Err(failure)) = result {
         return Err(failure.message(workgroup));
     }
-    match (phase::take_conflict(), result) {
+    match (conflict::take(), result) {
         // it may have panicked because of a wrong value
         (Some(conflict), _) => Err(conflict),
         (None, Err(panic)) => resume_unwind(panic),
@@ -250,7 +267,7 @@ impl Regions<'_> {
 }
 
 fn next_phase() -> Result<(), Failure> {
-    match phase::take_conflict() {
+    match conflict::take() {
         Some(conflict) => Err(Failure::Memory(conflict)),
         None => {
             phase::next();

@@ -20,7 +20,10 @@ use glam::Vec4;
 use spirv_std::arch::IndexUnchecked;
 
 #[cfg(not(target_arch = "spirv"))]
-pub use crate::wide_samples::Vectors;
+pub use wide::Vectors;
+
+#[cfg(not(target_arch = "spirv"))]
+mod wide;
 
 /// Largest number of samples in a [`Samples`]: workgroups are multiples of it.
 pub const MAX_WIDTH: u32 = 4 * crate::lane::MAX_WIDTH;

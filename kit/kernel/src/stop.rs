@@ -14,7 +14,7 @@ use std::vec::Vec;
 use glam::{UVec3, UVec4};
 
 use crate::running::unlinear;
-use crate::subgroup::Operation;
+use crate::subgroup::operation::Operation;
 
 /// What an invocation waits at: a barrier, or an operation of its subgroup. It is small, because each wait copies it.
 #[derive(Clone, Copy)]

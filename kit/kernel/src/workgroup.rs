@@ -39,13 +39,14 @@ use corosensei::stack::DefaultStack;
 use corosensei::{Coroutine, Yielder};
 use glam::{UVec3, UVec4};
 
+use crate::binding::{CpuBinding, SharedInfo};
+use crate::conflict;
 use crate::invocation::Invocation;
-use crate::kernel::{CpuBinding, SharedInfo};
 use crate::memory::{AccessMonitor, Shared};
 use crate::regions::Failure;
 use crate::running::{self, unlinear};
 use crate::stop::{Meeting, Stop, barrier_is_reached, subgroups_meet};
-use crate::subgroup::Operation;
+use crate::subgroup::operation::Operation;
 use crate::workgroup_memory::{self, UNWRITTEN, WorkgroupMemory};
 use crate::{phase, stop};
 
@@ -167,6 +168,7 @@ fn run_to_end(
     let size = place.size;
     phase::next();
     phase::begin(size);
+    conflict::take();
     SUBGROUP_SIZE.set(subgroup_size);
     let new = |index: u32| {
         let id = Invocation { local: unlinear(index.into(), size), wait, ..place };
@@ -186,7 +188,7 @@ fn run_to_end(
         if let Err(panic) = go_on(&mut invocations, &mut stops, &mut meetings, order) {
             give_up(invocations);
             // it may have panicked because of a wrong value
-            match phase::take_conflict() {
+            match conflict::take() {
                 Some(conflict) => return Err(Failure::Memory(conflict)),
                 None => resume_unwind(panic),
             }
@@ -196,7 +198,7 @@ fn run_to_end(
             // those that wait at barriers go on waiting
             Ok(true) => continue,
             Ok(false) => match barrier_is_reached(size, &stops) {
-                Ok(()) => phase::take_conflict().map(Failure::Memory),
+                Ok(()) => conflict::take().map(Failure::Memory),
                 Err(reason) => Some(Failure::Divergence(reason)),
             },
             Err(reason) => Some(Failure::Divergence(reason)),

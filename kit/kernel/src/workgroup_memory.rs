@@ -12,7 +12,8 @@ use std::vec::Vec;
 
 use glam::UVec3;
 
-use crate::kernel::SharedInfo;
+use crate::binding::SharedInfo;
+use crate::conflict;
 use crate::memory::{AccessMonitor, Touch};
 use crate::phase;
 use crate::running::{self, unlinear};
@@ -129,7 +130,7 @@ impl WorkgroupMemory {
                 Touch::Write => "writes",
                 Touch::Atomic | Touch::Store | Touch::Serial => "atomically changes",
             };
-            phase::conflict(&format!("{does} element {index} of `{name}`, {fault}"), at);
+            conflict::note(&format!("{does} element {index} of `{name}`, {fault}"), at);
         }
         match touch {
             Touch::Read => leave(&element.readers, own),

@@ -175,7 +175,7 @@ fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> Toke
                     let mut local_x = part_begin.x;
                     while local_x < part_end.x {
                         let local = ::muslin::dependencies::glam::UVec3::new(local_x, local_y, local_z);
-                        let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, size);
+                        let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, size).dispatched();
                         ::muslin::kernel::enter(local_x + size.x * (local_y + size.y * local_z));
                         #step
                     }

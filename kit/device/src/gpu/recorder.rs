@@ -13,7 +13,7 @@ use super::timer::Timer;
 use crate::Traffic;
 
 /// Most dispatches in one submission: each keeps its slot until then. The device works on them while the host records the next.
-pub const SLOTS: u64 = 64;
+const SLOTS: u64 = 64;
 /// Bytes of a uniform slot: the largest alignment that an adapter may require.
 const SLOT: u64 = 256;
 /// Bytes of the placements of a submission. A dispatch has at most 64 parameters, each takes a row of 16 bytes, and whatever
@@ -68,7 +68,7 @@ impl Recorder {
             slots: Vec::new(),
             placement: buffer("placement", PLACEMENT, wgpu::BufferUsages::empty()),
             placements: Vec::new(),
-            timer: Timer::new(device),
+            timer: Timer::new(device, SLOTS),
             times: false,
             memory: memory.clone(),
             bind_groups: BindGroups::default(),

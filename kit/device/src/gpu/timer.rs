@@ -2,8 +2,6 @@
 
 use std::time::Duration;
 
-use super::recorder::SLOTS;
-
 /// Size of a timestamp, in bytes.
 const STAMP: u64 = size_of::<u64>() as u64;
 
@@ -27,17 +25,17 @@ struct Submitted {
 }
 
 impl Timer {
-    /// `None` if the device has no timestamps.
-    pub fn new(device: &wgpu::Device) -> Option<Self> {
+    /// For command buffers of at most so many dispatches. `None` if the device has no timestamps.
+    pub fn new(device: &wgpu::Device, dispatches: u64) -> Option<Self> {
         device.features().contains(wgpu::Features::TIMESTAMP_QUERY).then(|| Self {
             stamps: device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("timestamps"),
                 ty: wgpu::QueryType::Timestamp,
-                count: 2 * SLOTS as u32,
+                count: 2 * dispatches as u32,
             }),
             resolved: device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("timestamps"),
-                size: 2 * SLOTS * STAMP,
+                size: 2 * dispatches * STAMP,
                 usage: wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
                 mapped_at_creation: false,
             }),

@@ -3,12 +3,12 @@
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
 use crate::atomic::{self, SumWord};
+use crate::casts::check_cast;
 use crate::fixed;
-use crate::fused::check_cast;
 use crate::half::normal_half_value;
 use crate::lane::{Lane, LaneIndex};
-use crate::math::integral;
 use crate::memory::{Read, Write};
+use crate::scalar::integral;
 
 /// `N` values. With `FUSED`, the instruction set has a fused multiply-add.
 ///
@@ -410,7 +410,7 @@ mod tests {
     use super::*;
     use crate::kernel::InstructionSet;
     use crate::lane::LaneIndex;
-    use crate::math::TINY;
+    use crate::scalar::TINY;
 
     #[test]
     fn a_sum_takes_every_lane_once() {

@@ -9,7 +9,7 @@ use std::{env, fmt, fs};
 
 use crate::artifacts::Artifacts;
 use crate::lower::{self, lower};
-use crate::{Project, errors, module, rules, small_integers, validate};
+use crate::{Project, errors, module, rules, small_integers, tiles, validate};
 use anyhow::{Context, Result, anyhow, bail};
 use cargo_gpu_install::install::Install;
 use muslin_kernel::{EntryPoint, KernelInfo};
@@ -229,8 +229,13 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
         };
         let context = || format!("{}the kernel `{name}`", errors::declaration(name, &project.root));
         let spirv = lower(&spirv, kernel.fused, kernel.workgroup_size).with_context(context)?;
-        module::check(kernel, &point, &spirv).with_context(context)?;
-        validate::check(&spirv).with_context(context)?;
+        if point.tiles.is_some() {
+            // naga cannot read it: the compiler has validated it
+            tiles::check(&spirv).with_context(context)?;
+        } else {
+            module::check(kernel, &point, &spirv).with_context(context)?;
+            validate::check(&spirv).with_context(context)?;
+        }
         if project.wgsl && point.name == kernel.name {
             let text = manifest::to_wgsl(&spirv);
             let text = text.map_err(|reason| anyhow!("the module is not for browsers: {reason}"));
@@ -273,7 +278,14 @@ const COMPILES: &str = "MUSLIN_COMPILES";
 /// Runs the compiler on a crate of kernels, in another process of this program. Returns the modules by entry point.
 fn build(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String, Vec<u8>>> {
     if env::var_os(COMPILES).is_some() {
-        let modules = build_here(project, compiler)?;
+        let mut modules = build_here(project, compiler, false)?;
+        let points = muslin_kernel::kernels().filter_map(|kernel| kernel.variant);
+        let names: Vec<_> =
+            points.filter(|point| point.tiles.is_some()).map(|point| point.name).collect();
+        if !names.is_empty() {
+            let found = build_here(project, compiler, true)?.into_iter();
+            modules.extend(found.filter(|(name, _)| names.contains(&name.as_str())));
+        }
         modules.into_iter().for_each(|(name, path)| println!("{name}\t{}", path.display()));
         exit(0);
     }
@@ -321,17 +333,26 @@ fn unwritten(project: &Project, start: SystemTime) -> Option<&'static str> {
     names.get(last + 1).copied()
 }
 
-/// Runs the compiler on a crate of kernels. Returns the files of the modules by entry point.
-fn build_here(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String, PathBuf>> {
+/// Runs the compiler on a crate of kernels, for the entry points with cooperative matrices or for all others. Returns the files of the modules by entry
+/// point.
+fn build_here(
+    project: &Project,
+    compiler: &Compiler,
+    has_tiles: bool,
+) -> Result<BTreeMap<String, PathBuf>> {
     let shader_crate = project.root.join(&project.shader_crate);
     let mut builder = SpirvBuilder::new(shader_crate, TARGET)
         .release(true)
         .multimodule(true)
         .spirv_metadata(SpirvMetadata::None)
-        .target_dir_path(project.target.join("spirv"));
+        .target_dir_path(project.target.join(if has_tiles { "spirv-tiles" } else { "spirv" }));
     builder.capabilities =
         [&lower::SUBGROUPS[..], &lower::WIDE, &small_integers::CAPABILITIES, &[lower::AS_WRITTEN]]
             .concat();
+    if has_tiles {
+        builder.capabilities.extend(tiles::CAPABILITIES);
+        builder = builder.extension("SPV_KHR_cooperative_matrix");
+    }
     compiler.configure(&mut builder);
     let result = builder.build().context("the kernels do not compile")?;
     let ModuleResult::MultiModule(paths) = result.module else {

@@ -17,6 +17,7 @@ mod module;
 mod not_numbers;
 mod rules;
 mod small_integers;
+mod tiles;
 mod validate;
 
 use std::env;

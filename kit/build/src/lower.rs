@@ -9,7 +9,7 @@ use rspirv::spirv::{Capability, ExecutionMode, Op};
 
 use crate::{
     atomic_arguments, contraction, declarations, expand, loops, memory_model, not_numbers,
-    small_integers,
+    small_integers, tiles,
 };
 
 /// The module for drivers, with the size of its workgroups. With `fused`, they may regroup its arithmetic.
@@ -27,7 +27,11 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     declarations::drop_layouts(&mut module);
     expand::expand(&mut module);
     small_integers::widen(&mut module)?;
-    memory_model::lower(&mut module)?;
+    if tiles::has_some(&module) {
+        tiles::publish(&mut module);
+    } else {
+        memory_model::lower(&mut module)?;
+    }
     loops::end_at_conditions(&mut module)?;
     atomic_arguments::copy(&mut module);
     set_workgroup_size(&mut module, size);

@@ -7,6 +7,7 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 /// What a kernel can need, and an adapter may have.
 const OFFERED: Capabilities = Capabilities::SUBGROUP
+    .union(Capabilities::SHADER_FLOAT16_IN_FLOAT32)
     .union(Capabilities::SHADER_INT64)
     .union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS);
 

@@ -114,6 +114,16 @@ impl Device {
         }
     }
 
+    /// The shapes of products of [tiles](muslin_kernel::tile) that run as cooperative matrices: rows, columns, and products in a sum. A kernel with
+    /// another shape runs with ordinary arithmetic, as all do where there are none.
+    #[must_use]
+    pub fn tiles(&self) -> &[[u32; 3]] {
+        match &self.kind {
+            DeviceKind::Gpu(gpu) => gpu.tiles(),
+            _ => &[],
+        }
+    }
+
     /// The entry point that runs for a kernel. On the CPU, it stands for the function.
     #[must_use]
     pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {

@@ -30,7 +30,8 @@ impl Device {
     /// [`variants`](DeviceOptions::variants) and [`extra_workgroup`](DeviceOptions::extra_workgroup).
     ///
     /// With the feature `PASSTHROUGH_SHADERS`, Vulkan gets the kernels' SPIR-V; otherwise naga translates it. Kernels with subgroups need the feature
-    /// `SUBGROUP`, variants with 64-bit sums `SHADER_INT64` and `SHADER_INT64_ATOMIC_ALL_OPS`, and timings `TIMESTAMP_QUERY`.
+    /// `SUBGROUP`, variants with 64-bit sums `SHADER_INT64` and `SHADER_INT64_ATOMIC_ALL_OPS`, and timings `TIMESTAMP_QUERY`. Kernels
+    /// with tiles run with ordinary arithmetic: only an adapter tells the shapes of its cooperative matrices.
     ///
     /// The device keeps its callbacks: an error that wgpu reports, or the loss of the device, goes to the program.
     ///

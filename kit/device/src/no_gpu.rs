@@ -41,6 +41,7 @@ methods! {
     description() -> String;
     driver() -> String;
     entry_point(&KernelInfo) -> EntryPoint;
+    tiles() -> &[[u32; 3]];
     is_software() -> bool;
     max_buffer_bytes() -> u64;
     memory_bytes() -> Option<u64>;

@@ -87,6 +87,8 @@ pub struct EntryPoint {
     pub shared: &'static [SharedInfo],
     /// Bindings that are [integers of 64 bits](crate::atomic::SumWord), which a device can lack.
     pub sums: &'static [&'static str],
+    /// In the variant of a kernel with [tiles](crate::tile), the shape of their products: rows, columns, and products in a sum.
+    pub tiles: Option<[u32; 3]>,
 }
 
 /// The declaration of a kernel.
@@ -142,7 +144,7 @@ pub struct KernelInfo {
 impl KernelInfo {
     /// The plain entry point.
     pub const fn plain(&self) -> EntryPoint {
-        EntryPoint { name: self.name, shared: self.shared, sums: &[] }
+        EntryPoint { name: self.name, shared: self.shared, sums: &[], tiles: None }
     }
 
     /// The source file with a name that does not depend on the machine: relative to the workspace, or

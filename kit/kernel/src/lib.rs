@@ -43,6 +43,8 @@
 //! The crate is compiled twice. Rust-GPU compiles it to SPIR-V, where [`memory::Read`] and [`memory::Write`] are
 //! storage buffers. For the CPU they are views of slices, and every access is checked.
 #![no_std]
+// of the compilation for tiles; rustc for GPUs is always a nightly
+#![cfg_attr(target_arch = "spirv", allow(unused_features), feature(asm_experimental_arch, f16))]
 // the shader compiler cannot compile clippy's suggestions
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
@@ -96,6 +98,7 @@ pub mod shared_tile;
 #[cfg(not(target_arch = "spirv"))]
 mod stop;
 pub mod subgroup;
+pub mod tile;
 #[cfg(all(not(target_arch = "spirv"), target_arch = "x86_64"))]
 mod wide_vectors;
 #[cfg(not(target_arch = "spirv"))]

@@ -14,7 +14,16 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
     let arithmetic = arithmetic_functions(kernel);
     let variants = if kernel.has_variant() { &[false, true][..] } else { &[false] };
-    let entries = variants.iter().map(|&is_variant| entry_point(kernel, is_variant));
+    let mut entries: Vec<_> =
+        variants.iter().map(|&is_variant| entry_point(kernel, is_variant)).collect();
+    if kernel.tiles.is_some() {
+        let cooperative = entry_point(kernel, true);
+        // each compilation has one of the two
+        entries = vec![quote! {
+            #[cfg(target_arch = "spirv")]
+            ::muslin::tile_entry! { { #(#entries)* } { #cooperative } }
+        }];
+    }
     let regions = regions::function(kernel);
     let info = info(kernel, regions.as_ref().err().filter(|_| kernel.waits()).copied());
     let regions = regions.ok();
@@ -126,6 +135,7 @@ fn entry_name(kernel: &Kernel, is_variant: bool) -> String {
     let name = text(&kernel.function.sig.ident);
     match is_variant {
         true if kernel.sums().next().is_some() => format!("{name}_wide"),
+        true if kernel.tiles.is_some() => format!("{name}_tiles"),
         true => format!("{name}_shared"),
         false => name,
     }
@@ -180,18 +190,34 @@ fn entry_point(kernel: &Kernel, is_variant: bool) -> TokenStream {
         }
     });
     let subgroup = kernel.subgroups.then(|| quote!(.with_subgroup(#size, #lane_index)));
+    // with cooperative matrices, a subgroup is an invocation
+    let is_cooperative = is_variant && kernel.tiles.is_some();
+    let teams = is_cooperative.then(|| {
+        quote! {
+            #[spirv(num_subgroups)] #size: u32,
+            #[spirv(subgroup_id)] #lane_index: u32,
+        }
+    });
+    let vector = quote!(::muslin::dependencies::glam::UVec3);
+    let place = match is_cooperative {
+        true => {
+            quote!(#vector::new(#lane_index, 0, 0), #workgroup, #workgroups, #vector::new(#size, 1, 1))
+        }
+        false => quote!(#local, #workgroup, #workgroups, #vector::new(#x, #y, #z)),
+    };
     quote! {
         #[cfg(target_arch = "spirv")]
-        #[allow(missing_docs, clippy::too_many_arguments)]
+        #[allow(missing_docs, unused_variables, clippy::too_many_arguments)]
         #[::muslin::dependencies::spirv_std::spirv(compute(threads(1), entry_point_name = #entry_point_name))]
         pub fn #entry(
             #[spirv(local_invocation_id)] #local: ::muslin::dependencies::glam::UVec3,
             #[spirv(workgroup_id)] #workgroup: ::muslin::dependencies::glam::UVec3,
             #[spirv(num_workgroups)] #workgroups: ::muslin::dependencies::glam::UVec3,
             #lanes
+            #teams
             #(#parameters),*
         ) {
-            let #id = ::muslin::invocation::Invocation::new(#local, #workgroup, #workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).with_items(#each) #subgroup;
+            let #id = ::muslin::invocation::Invocation::new(#place).with_items(#each) #subgroup;
             self::#name #lane (#id, #(#arguments),*);
         }
     }
@@ -253,6 +279,7 @@ fn info(kernel: &Kernel, kept: Option<regions::Kept>) -> TokenStream {
     let run_variant = run_variant(kernel);
     let run_arithmetic = run_arithmetic(kernel);
     let Attribute { fused, subgroups, z_serial, z_innermost, .. } = &kernel.attribute;
+    let has_tiles = kernel.tiles.is_some();
     let each = each(kernel);
     let limit = limit(kernel);
     let over = over(kernel);
@@ -297,6 +324,7 @@ fn info(kernel: &Kernel, kept: Option<regions::Kept>) -> TokenStream {
             ::core::assert!(invocations > 0 && invocations <= 256 && size[2] <= 64, #invocations);
             ::core::assert!(!#z_serial || size[2] == 1, "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`");
             ::core::assert!(!#subgroups || size[1] == 1 && size[2] == 1, "`subgroups` takes workgroups along x: `threads(x)`");
+            ::core::assert!(!#has_tiles || size[1] == 1 && size[2] == 1, "`tiles` takes workgroups along x: `threads(x)`");
             ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, #memory);
         };
     }
@@ -368,14 +396,18 @@ fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
 
 /// The registry's record of the second entry point.
 fn variant(kernel: &Kernel) -> TokenStream {
-    if !kernel.has_variant() {
+    if !kernel.has_variant() && kernel.tiles.is_none() {
         return quote!(::core::option::Option::None);
     }
+    let tiles = match &kernel.tiles {
+        Some(shape) => quote!(::core::option::Option::Some([#(#shape),*])),
+        None => quote!(::core::option::Option::None),
+    };
     let name = entry_name(kernel, true);
     let shared = shared(kernel, true);
     let sums = kernel.sums().map(|parameter| text(&parameter.name));
     quote! {
-        ::core::option::Option::Some(::muslin::kernel::EntryPoint { name: #name, shared: &#shared, sums: &[#(#sums),*] })
+        ::core::option::Option::Some(::muslin::kernel::EntryPoint { name: #name, shared: &#shared, sums: &[#(#sums),*], tiles: #tiles })
     }
 }
 

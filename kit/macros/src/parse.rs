@@ -82,6 +82,8 @@ pub struct Attribute {
     pub storage_barriers: bool,
     /// Whether it has operations of subgroups.
     pub subgroups: bool,
+    /// The shape of its products of tiles, if it has some.
+    pub tiles: Option<[Expr; 3]>,
     /// On the CPU the workgroups of one z run one after another, on one thread.
     pub z_serial: bool,
     /// On the CPU the workgroups of one x and y run one after another.
@@ -162,6 +164,11 @@ impl Kernel {
         if let Some(name) = kernel.unordered.iter().find(|name| !is_written(name)) {
             return Err(Error::new(name.span(), "`unordered` names bindings of the type `Write`"));
         }
+        let has_others = kernel.lanes.is_some() || kernel.subgroups || kernel.storage_barriers;
+        if kernel.tiles.is_some() && (has_others || kernel.has_variant()) {
+            let message = "a kernel with `tiles` has no `lanes`, storage barriers, subgroups, sums or shared tiles";
+            return Err(Error::new(kernel.function.sig.span(), message));
+        }
         if kernel.lanes.is_some() && kernel.waits() {
             let message =
                 "a kernel with workgroup memory, storage barriers or subgroups has no `lanes`";
@@ -185,7 +192,7 @@ impl Kernel {
         self.storage_barriers || self.subgroups || self.has(|role| matches!(role, Role::Shared(_)))
     }
 
-    /// Whether it has a second entry point.
+    /// Whether it has a second entry point, beside that with tiles.
     pub fn has_variant(&self) -> bool {
         self.has_shared_tiles() || self.sums().next().is_some()
     }
@@ -206,7 +213,7 @@ impl Kernel {
 }
 
 /// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial` or `z_innermost`, `lanes` or
-/// `lanes(field)`, `over(items, ..)`, `counts(field, ..)`, and `unordered(binding, ..)`
+/// `lanes(field)`, `tiles(m, n, k)`, `over(items, ..)`, `counts(field, ..)`, and `unordered(binding, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
     let mut threads = None;
     let mut found = Attribute::default();
@@ -240,6 +247,12 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
             found.over = up_to_three(&meta)?;
             return Ok(());
         }
+        if meta.path.is_ident("tiles") {
+            let shape = up_to_three(&meta)?.try_into();
+            let wrong = "expected the sides of a product, `tiles(M, N, K)`";
+            found.tiles = Some(shape.map_err(|_| meta.error(wrong))?);
+            return Ok(());
+        }
         if meta.path.is_ident("counts") || meta.path.is_ident("unordered") {
             let content;
             syn::parenthesized!(content in meta.input);
@@ -250,7 +263,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
             return Ok(());
         }
         if !meta.path.is_ident("threads") {
-            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `over(items, ..)`, `counts(field, ..)` or `unordered(binding, ..)`";
+            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `tiles(m, n, k)`, `over(items, ..)`, `counts(field, ..)` or `unordered(binding, ..)`";
             return Err(meta.error(expected));
         }
         // lengths of workgroup memory are `usize`, and one constant serves both

@@ -115,6 +115,15 @@ fn only_outputs_are_unordered() {
 }
 
 #[test]
+fn tiles_have_one_shape_and_no_other_variant() {
+    assert_eq!(refusal(quote!(tiles(8, 8, 8)), quote!(), quote!()), "");
+    let message = refusal(quote!(tiles(8, 8)), quote!(), quote!());
+    assert_eq!(message, "expected the sides of a product, `tiles(M, N, K)`");
+    let message = refusal(quote!(tiles(8, 8, 8)), quote!(sums: Write<impl SumWord>), quote!());
+    assert!(message.ends_with("subgroups, sums or shared tiles"), "{message}");
+}
+
+#[test]
 fn a_generic_kernel_is_told_what_to_do() {
     let function = quote!(
         pub fn blur<const SIDE: u32>(id: Invocation) {}

@@ -120,6 +120,9 @@ pub struct Interface {
     /// Bindings that are 64-bit integers, which a device can lack; to the host, these are two elements.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sums: Vec<String>,
+    /// The shape of its products of cooperative matrices, which a device can lack.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tiles: Option<[u32; 3]>,
 }
 
 /// One buffer of a kernel.
@@ -229,6 +232,7 @@ impl Interface {
             shared: point.shared.iter().map(shared).collect(),
             subgroups: kernel.subgroups,
             sums: point.sums.iter().map(|&name| name.to_owned()).collect(),
+            tiles: point.tiles,
         }
     }
 }
@@ -262,6 +266,7 @@ mod tests {
                 shared: Vec::new(),
                 subgroups: false,
                 sums: Vec::new(),
+                tiles: None,
             },
         }
     }

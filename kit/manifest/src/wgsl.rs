@@ -20,9 +20,10 @@ pub fn to_wgsl(spirv: &[u8]) -> Result<String, String> {
         info.map_err(|error| format!("{:?}", error.into_inner()))
     };
     // browsers want to be told of subgroups, and naga does not tell them
-    let (info, head) = match validate(Capabilities::empty()) {
+    let all = Capabilities::SHADER_FLOAT16_IN_FLOAT32;
+    let (info, head) = match validate(all) {
         Ok(info) => (info, ""),
-        Err(error) => match validate(Capabilities::SUBGROUP) {
+        Err(error) => match validate(all | Capabilities::SUBGROUP) {
             Ok(info) => (info, "enable subgroups;\n\n"),
             Err(_) => return Err(error),
         },

@@ -144,13 +144,28 @@ fn require(limits: &wgpu::Limits) -> std::result::Result<(), String> {
 pub const WIDE: wgpu::Features =
     wgpu::Features::SHADER_INT64.union(wgpu::Features::SHADER_INT64_ATOMIC_ALL_OPS);
 
+/// What the variants of kernels with tiles need.
+pub const TILES: wgpu::Features =
+    wgpu::Features::EXPERIMENTAL_COOPERATIVE_MATRIX.union(wgpu::Features::SHADER_F16);
+
+/// The shapes of an adapter's products of halves with sums of `f32`: rows, columns, and products in a sum.
+pub fn tiles(adapter: &wgpu::Adapter) -> Vec<[u32; 3]> {
+    use wgpu::CooperativeScalarType::{F16, F32};
+    let all = adapter.cooperative_matrix_properties().into_iter();
+    let ours =
+        all.filter(|of| [of.ab_type, of.cr_type] == [F16, F32] && !of.saturating_accumulation);
+    ours.map(|of| [of.m_size, of.n_size, of.k_size]).collect()
+}
+
 /// Opens an adapter with its own limits: the default ones end at 128 MiB per binding.
 pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Device, wgpu::Queue)> {
     let (required_features, experimental_features) = match spirv {
         SpirvPath::Passthrough => {
             // SAFETY: passing shaders through is what is experimental; they are our own compiler's, validated when built
             let experimental = unsafe { wgpu::ExperimentalFeatures::enabled() };
-            (wgpu::Features::PASSTHROUGH_SHADERS | adapter.features() & WIDE, experimental)
+            let tiles =
+                if adapter.features().contains(TILES) { TILES } else { wgpu::Features::empty() };
+            (wgpu::Features::PASSTHROUGH_SHADERS | adapter.features() & WIDE | tiles, experimental)
         }
         SpirvPath::Naga => (wgpu::Features::empty(), wgpu::ExperimentalFeatures::disabled()),
     };

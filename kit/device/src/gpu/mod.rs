@@ -61,7 +61,12 @@ impl Gpu {
     pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
         let (adapter, spirv) = adapter::choose(options)?;
         let (device, queue) = adapter::request(&adapter, spirv)?;
-        let gpu = Self::new(device, queue, spirv, options, modules);
+        // naga does not know cooperative matrices
+        let tiles = match spirv {
+            SpirvPath::Passthrough => adapter::tiles(&adapter),
+            SpirvPath::Naga => Vec::new(),
+        };
+        let gpu = Self::new(device, queue, spirv, tiles, options, modules);
         record_failures(&gpu.device, &gpu.failures);
         Ok(gpu)
     }
@@ -74,17 +79,19 @@ impl Gpu {
         modules: &'static Modules,
     ) -> Result<Self> {
         let spirv = adapter::path_of(&device, options.spirv)?;
-        Ok(Self::new(device, queue, spirv, options, modules))
+        // only an adapter tells the shapes of cooperative matrices
+        Ok(Self::new(device, queue, spirv, Vec::new(), options, modules))
     }
 
     fn new(
         device: wgpu::Device,
         queue: wgpu::Queue,
         spirv: SpirvPath,
+        tiles: Vec<[u32; 3]>,
         options: &DeviceOptions,
         modules: &'static Modules,
     ) -> Self {
-        let variants = Variants::new(&device, options.variants);
+        let variants = Variants::new(&device, options.variants, tiles);
         let memory = MemoryPool::default();
         let info = device.adapter_info();
         let is_software = info.device_type == wgpu::DeviceType::Cpu && !options.like_a_card;
@@ -93,7 +100,7 @@ impl Gpu {
             recorder: Mutex::new(Recorder::new(&device, &memory)),
             memory,
             staging: Mutex::default(),
-            pipelines: Pipelines::new(spirv, variants, modules),
+            pipelines: Pipelines::new(spirv, variants.clone(), modules),
             is_software,
             memory_bytes,
             info,
@@ -148,6 +155,10 @@ impl Gpu {
 
     pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
         self.variants.entry_point(kernel)
+    }
+
+    pub fn tiles(&self) -> &[[u32; 3]] {
+        self.variants.tiles()
     }
 
     pub fn is_software(&self) -> bool {
@@ -321,6 +332,7 @@ impl Gpu {
     ) -> Result<()> {
         self.check()?;
         let pipeline = self.pipelines.get(&self.device, kernel)?;
+        let workgroups = self.variants.workgroups(kernel, workgroups);
         let mut pending = Vec::new();
         for &(offset, count) in counts {
             let Some(&Total { ref counts, place, first }) = count.total() else { continue };

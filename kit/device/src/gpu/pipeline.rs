@@ -6,33 +6,67 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use muslin_kernel::{Access, EntryPoint, KernelInfo};
 
-use crate::gpu::adapter::WIDE;
+use crate::gpu::adapter::{TILES, WIDE};
+use crate::job::MAX_WORKGROUPS;
 use crate::{Error, Modules, Result, SpirvPath};
 
 /// Whether a device runs the variants of kernels.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Variants {
     wanted: bool,
     /// Whether the device has atomics of 64 bits.
     wide: bool,
+    /// The shapes of its cooperative matrices.
+    tiles: Vec<[u32; 3]>,
+    /// The most lanes of a subgroup.
+    lanes: u32,
 }
 
 impl Variants {
     /// The choice for a device. `wanted` is [`DeviceOptions::variants`](crate::DeviceOptions::variants).
-    pub fn new(device: &wgpu::Device, wanted: Option<bool>) -> Self {
+    pub fn new(device: &wgpu::Device, wanted: Option<bool>, mut tiles: Vec<[u32; 3]>) -> Self {
+        let info = device.adapter_info();
         // on a software device, workgroup memory is ordinary memory, and slower
-        let is_hardware = device.adapter_info().device_type != wgpu::DeviceType::Cpu;
-        Self { wanted: wanted.unwrap_or(is_hardware), wide: device.features().contains(WIDE) }
+        let is_hardware = info.device_type != wgpu::DeviceType::Cpu;
+        let features = device.features();
+        tiles.retain(|_| features.contains(TILES));
+        Self {
+            wanted: wanted.unwrap_or(is_hardware),
+            wide: features.contains(WIDE),
+            tiles,
+            lanes: info.subgroup_max_size,
+        }
     }
 
     /// The entry point of a kernel.
-    pub fn entry_point(self, kernel: &KernelInfo) -> EntryPoint {
-        let can_run = |point: &EntryPoint| self.wanted && (self.wide || point.sums.is_empty());
+    pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
+        let can_run = |point: &EntryPoint| {
+            // subgroups are full
+            let is_full = kernel.workgroup_size[0].is_multiple_of(self.lanes);
+            self.wanted
+                && (self.wide || point.sums.is_empty())
+                && point.tiles.is_none_or(|shape| is_full && self.tiles.contains(&shape))
+        };
         kernel.variant.filter(can_run).unwrap_or(kernel.plain())
     }
 
+    /// The workgroups of a dispatch: with cooperative matrices, each invocation takes a subgroup.
+    pub fn workgroups(&self, kernel: &KernelInfo, [x, y, z]: [u32; 3]) -> [u32; 3] {
+        if self.entry_point(kernel).tiles.is_none() {
+            return [x, y, z];
+        }
+        let all = u64::from(x) * u64::from(y) * u64::from(self.lanes);
+        let x = all.min(MAX_WORKGROUPS.into());
+        [x as u32, all.div_ceil(x.max(1)) as u32, z]
+    }
+
+    /// The shapes of cooperative matrices that kernels run with.
+    pub fn tiles(&self) -> &[[u32; 3]] {
+        if self.wanted { &self.tiles } else { &[] }
+    }
+
     /// A description for the user.
-    pub fn as_str(self) -> &'static str {
+    pub fn as_str(&self) -> &'static str {
         match (self.wanted, self.wide) {
             (true, true) => "variants with workgroup memory and 64-bit atomics",
             (true, false) => "variants with workgroup memory",

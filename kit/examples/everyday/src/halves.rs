@@ -28,13 +28,13 @@ pub fn add(device: &Device, terms: &Buffer<u32>, numbers: &Buffer<Vec2>) -> Resu
 }
 
 /// Numbers of 11 bits, and a power of two: halves are exact.
-fn exact_halves(count: u32, random: &mut Random) -> Vec<f32> {
+pub(crate) fn exact_halves(count: u32, random: &mut Random) -> Vec<f32> {
     let number = |_| (random.below(2048) as f32 - 1024.0) / 64.0;
     (0..count).map(number).collect()
 }
 
 /// The bits of a number that is exact as a half: its sign, its exponent, and its ten upper digits.
-fn bits(x: f32) -> u32 {
+pub(crate) fn bits(x: f32) -> u32 {
     let bits = x.to_bits();
     match x == 0.0 {
         true => bits >> 16,

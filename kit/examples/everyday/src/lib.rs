@@ -11,6 +11,7 @@ pub mod hash_table;
 pub mod histogram;
 pub mod k_means;
 pub mod matrix;
+pub mod matrix_tiles;
 pub mod prefix_sum;
 pub mod radix_sort;
 pub mod random;

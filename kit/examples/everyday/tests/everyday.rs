@@ -8,6 +8,7 @@ use muslin_device::{Device, DeviceOptions, Modules};
 use muslin_everyday::*;
 use muslin_everyday_kernels::blur::GridParams;
 use muslin_everyday_kernels::matrix::ProductParams;
+use muslin_everyday_kernels::matrix_tiles::TilesParams;
 use muslin_everyday_kernels::transpose::TransposeParams;
 
 #[test]
@@ -101,8 +102,9 @@ fn histograms() {
 
 #[test]
 fn products() {
-    for (name, device) in all() {
-        for side in [1_u32, 17, 130] {
+    let variants = devices::variants(&MODULES).into_iter().map(|(name, [_, best])| (name, best));
+    for (name, device) in all().into_iter().chain(variants) {
+        for side in [1_u32, 17, 130, 144] {
             let mut random = Random::new(5);
             let len = (side * side) as usize;
             // small whole numbers: their products and sums are exact
@@ -115,10 +117,34 @@ fn products() {
             };
             let exact: Vec<_> =
                 (0..len).map(|index| at(index / side as usize, index % side as usize)).collect();
+            let words = [&left, &right].map(|all| matrix_tiles::words(all));
             let [left, right] = [&left, &right].map(|all| device.upload("matrix", all).unwrap());
             let params = ProductParams { rows: side, inner: side, columns: side };
             let found = matrix::product(&device, params, &left, &right).unwrap();
             assert!(device.read(&found).unwrap() == exact, "{name}, {side}");
+            if side.is_multiple_of(matrix_tiles::SIDE) {
+                let [left, right] = words.map(|all| device.upload("matrix", &all).unwrap());
+                let params = TilesParams { rows: side, inner: side, columns: side };
+                let found = matrix_tiles::product(&device, params, &left, &right).unwrap();
+                assert!(device.read(&found).unwrap() == exact, "{name}, {side}, in tiles");
+            }
+        }
+    }
+}
+
+/// With cooperative matrices, the GPU runs them where it offers the shape, and never through naga. Mesa's software GPU has some since 26.
+#[test]
+fn tiles_are_cooperative_matrices_where_a_device_has_them() {
+    for (name, devices) in devices::variants(&MODULES) {
+        let [plain, variants] = &devices;
+        println!("{name}: {:?}", variants.tiles());
+        assert!(plain.tiles().is_empty());
+        assert!(variants.tiles().is_empty() || name == "gpu passthrough");
+        for kernel in muslin_device::kernels_of("muslin-everyday-kernels") {
+            let Some(shape) = kernel.variant.and_then(|variant| variant.tiles) else { continue };
+            let has_it = variants.tiles().contains(&shape);
+            assert_eq!(plain.entry_point(kernel).name, kernel.name);
+            assert_eq!(variants.entry_point(kernel).name != kernel.name, has_it, "{name}");
         }
     }
 }

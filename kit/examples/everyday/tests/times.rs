@@ -7,6 +7,7 @@ use muslin_device::{Device, Result};
 use muslin_everyday::*;
 use muslin_everyday_kernels::blur::GridParams;
 use muslin_everyday_kernels::matrix::ProductParams;
+use muslin_everyday_kernels::matrix_tiles::TilesParams;
 use muslin_everyday_kernels::random::{pcg, unit};
 use muslin_everyday_kernels::transpose::TransposeParams;
 use rayon::prelude::*;
@@ -112,6 +113,7 @@ fn subjects() -> Vec<Subject> {
         }),
     });
     let own = matrix.clone();
+    let own_halves = matrix.clone();
     all.push(Subject {
         name: "product of 512 x 512",
         rust: Box::new(move || drop(std::hint::black_box(product(&own, &own)))),
@@ -119,6 +121,19 @@ fn subjects() -> Vec<Subject> {
             let matrix = device.upload("matrix", &matrix)?;
             let params = ProductParams { rows: SIDE, inner: SIDE, columns: SIDE };
             Ok(Box::new(move || done(device, &matrix::product(device, params, &matrix, &matrix)?)))
+        }),
+    });
+    let halves: Vec<_> = own_halves.iter().map(|value| (value * 64.0).round() / 64.0).collect();
+    let own = halves.clone();
+    all.push(Subject {
+        name: "the same of halves, in tiles",
+        rust: Box::new(move || drop(std::hint::black_box(product(&own, &own)))),
+        device: Box::new(move |device| {
+            let matrix = device.upload("matrix", &matrix_tiles::words(&halves))?;
+            let params = TilesParams { rows: SIDE, inner: SIDE, columns: SIDE };
+            Ok(Box::new(move || {
+                done(device, &matrix_tiles::product(device, params, &matrix, &matrix)?)
+            }))
         }),
     });
     let own = picture.clone();
@@ -227,7 +242,9 @@ fn blurred(input: &[f32]) -> Vec<f32> {
 #[test]
 #[ignore = "it measures"]
 fn times() {
-    let devices = devices::all(&MODULES);
+    let mut devices = devices::all(&MODULES);
+    let variants = devices::variants(&MODULES).into_iter().take(1);
+    devices.extend(variants.map(|(_, [_, device])| ("gpu variants", device)));
     let names = devices.iter().map(|(name, _)| format!(" {name} |"));
     println!("| milliseconds | Rust with rayon |{} ", names.collect::<String>());
     for Subject { name, rust, device } in subjects() {

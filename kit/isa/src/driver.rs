@@ -23,7 +23,9 @@ pub fn report(folder: &Path, family: &str) -> Result<Report, Error> {
             failed(&format_args!("the driver does not compile `{}`: {reason}", entry.name))
         })
     };
-    let kernels = manifest.kernels.iter().map(compile).collect::<Result<_, _>>()?;
+    // the device is opened without cooperative matrices, which older families lack
+    let kernels = manifest.kernels.iter().filter(|entry| entry.interface.tiles.is_none());
+    let kernels = kernels.map(compile).collect::<Result<_, _>>()?;
     Ok(Report { family: family.into(), driver: compiler.version.clone(), kernels })
 }
 

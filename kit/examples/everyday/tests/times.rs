@@ -1,7 +1,10 @@
 //! What the subjects take, beside ordinary Rust with rayon: `cargo test --release -p muslin-everyday --test times -- --ignored --nocapture`.
 
+use std::collections::HashMap;
 use std::time::Instant;
 
+use glam::{Vec2, Vec3};
+use muslin::math::unpack_half_2x16;
 use muslin_check::{devices, inputs::Random};
 use muslin_device::{Device, Result};
 use muslin_everyday::*;
@@ -126,7 +129,7 @@ fn subjects() -> Vec<Subject> {
     let halves: Vec<_> = own_halves.iter().map(|value| (value * 64.0).round() / 64.0).collect();
     let own = halves.clone();
     all.push(Subject {
-        name: "the same of halves, in tiles",
+        name: "product of 512 x 512 halves, in tiles",
         rust: Box::new(move || drop(std::hint::black_box(product(&own, &own)))),
         device: Box::new(move |device| {
             let matrix = device.upload("matrix", &matrix_tiles::words(&halves))?;
@@ -185,7 +188,113 @@ fn subjects() -> Vec<Subject> {
             Ok(Box::new(move || done(device, &random::pcg(device, COUNT as u32, 1)?)))
         }),
     });
+    all.extend(others());
     all
+}
+
+/// Subjects of pairs and of integers.
+fn others() -> [Subject; 4] {
+    let mut random = Random::new(5);
+    let points: Vec<Vec2> = (0..COUNT / 16)
+        .map(|_| Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0)))
+        .collect();
+    let keys: Vec<u32> = (0..COUNT / 4).map(|_| random.below(COUNT as u32 / 16)).collect();
+    let terms: Vec<u32> =
+        (0..COUNT / 2).map(|_| random.below(0x3c00) << 16 | random.below(0x3c00)).collect();
+    let [own, given, of_clusters, of_device] = [(); 4].map(|()| points.clone());
+    let [counted, own_keys] = [(); 2].map(|()| keys.clone());
+    let own_terms = terms.clone();
+    [
+        Subject {
+            name: "FFT of 2^18",
+            rust: Box::new(move || drop(std::hint::black_box(transformed(&own)))),
+            device: Box::new(move |device| {
+                let values = device.upload("values", &given)?;
+                Ok(Box::new(move || done(device, &fft::fft(device, &values, -1.0)?)))
+            }),
+        },
+        Subject {
+            name: "k-means of 2^18 points, 16 centers, 4 rounds",
+            rust: Box::new(move || drop(std::hint::black_box(clustered(&of_clusters, 4)))),
+            device: Box::new(move |device| {
+                let centers = of_device[..CENTERS].to_vec();
+                let points = device.upload("points", &of_device)?;
+                Ok(Box::new(move || k_means::k_means(device, &points, &centers, 4).map(drop)))
+            }),
+        },
+        Subject {
+            name: "hash table of 2^20 keys, all looked up",
+            rust: Box::new(move || {
+                let mut counts = HashMap::<u32, u32>::new();
+                own_keys.iter().for_each(|key| *counts.entry(*key).or_default() += 1);
+                let found = own_keys.par_iter().map(|key| counts[key]);
+                std::hint::black_box(found.collect::<Vec<_>>());
+            }),
+            device: Box::new(move |device| {
+                let keys = device.upload("keys", &counted)?;
+                Ok(Box::new(move || done(device, &hash_table::occurrences(device, &keys, &keys)?)))
+            }),
+        },
+        Subject {
+            name: "2^22 halves, added to numbers",
+            rust: Box::new(move || {
+                let sums = own_terms.par_iter().map(|term| Vec2::ONE + unpack_half_2x16(*term));
+                std::hint::black_box(sums.collect::<Vec<_>>());
+            }),
+            device: Box::new(move |device| {
+                let numbers = device.upload("numbers", &vec![Vec2::ONE; terms.len()])?;
+                let terms = device.upload("terms", &terms)?;
+                Ok(Box::new(move || {
+                    halves::add(device, &terms, &numbers)?;
+                    done(device, &numbers)
+                }))
+            }),
+        },
+    ]
+}
+
+/// Centers of clusters.
+const CENTERS: usize = 16;
+
+/// The discrete Fourier transform, in passes over pairs.
+fn transformed(values: &[Vec2]) -> Vec<Vec2> {
+    let half = values.len() / 2;
+    let mut now = values.to_vec();
+    let mut next = now.clone();
+    let mut size = 1;
+    while size < values.len() {
+        next.par_chunks_mut(2 * size).enumerate().for_each(|(group, out)| {
+            let (first, second) = out.split_at_mut(size);
+            for j in 0..size {
+                let turn = Vec2::from_angle(-std::f32::consts::PI * j as f32 / size as f32);
+                let a = now[group * size + j];
+                let b = now[group * size + j + half].rotate(turn);
+                first[j] = a + b;
+                second[j] = a - b;
+            }
+        });
+        std::mem::swap(&mut now, &mut next);
+        size *= 2;
+    }
+    now
+}
+
+/// Centers that move to the means of the nearest points.
+fn clustered(points: &[Vec2], rounds: usize) -> Vec<Vec2> {
+    let mut centers = points[..CENTERS].to_vec();
+    for _ in 0..rounds {
+        let add = |mut sums: [Vec3; CENTERS], point: &Vec2| {
+            let distance = |at: &usize| centers[*at].distance_squared(*point);
+            let nearest = (0..CENTERS).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            sums[nearest.expect("a center")] += point.extend(1.0);
+            sums
+        };
+        let none = || [Vec3::ZERO; CENTERS];
+        let both = |a: [Vec3; CENTERS], b: [Vec3; CENTERS]| std::array::from_fn(|at| a[at] + b[at]);
+        let sums = points.par_iter().fold(none, add).reduce(none, both);
+        centers = sums.map(|sum| sum.truncate() / sum.z.max(1.0)).to_vec();
+    }
+    centers
 }
 
 /// Waits for a result, and reads a value.
@@ -247,7 +356,12 @@ fn times() {
     devices.extend(variants.map(|(_, [_, device])| ("gpu variants", device)));
     let names = devices.iter().map(|(name, _)| format!(" {name} |"));
     println!("| milliseconds | Rust with rayon |{} ", names.collect::<String>());
+    // `SUBJECT=product` measures those alone
+    let wanted = std::env::var("SUBJECT").unwrap_or_default();
     for Subject { name, rust, device } in subjects() {
+        if !name.contains(&wanted) {
+            continue;
+        }
         let mut line = format!("| {name} | {:.1} |", best(&*rust));
         for (_, of) in &devices {
             let run = device(of).expect("the inputs");

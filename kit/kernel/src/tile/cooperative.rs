@@ -33,22 +33,20 @@ pub trait Element: Copy {
     type Matrix<const M: usize, const N: usize>: Copy;
 }
 
-impl Element for Left {
-    type Word = u32;
-    const IN_WORD: u32 = 2;
-    type Matrix<const M: usize, const N: usize> = Matrix<f16, 0, M, N>;
+macro_rules! elements {
+    ($($element:ident: $word:ident, $in_word:literal, $number:ident, $of:literal;)*) => {$(
+        impl Element for $element {
+            type Word = $word;
+            const IN_WORD: u32 = $in_word;
+            type Matrix<const M: usize, const N: usize> = Matrix<$number, $of, M, N>;
+        }
+    )*};
 }
 
-impl Element for Right {
-    type Word = u32;
-    const IN_WORD: u32 = 2;
-    type Matrix<const M: usize, const N: usize> = Matrix<f16, 1, M, N>;
-}
-
-impl Element for f32 {
-    type Word = f32;
-    const IN_WORD: u32 = 1;
-    type Matrix<const M: usize, const N: usize> = Matrix<f32, 2, M, N>;
+elements! {
+    Left: u32, 2, f16, 0;
+    Right: u32, 2, f16, 1;
+    f32: f32, 1, f32, 2;
 }
 
 /// A matrix of `M` rows and `N` columns: a factor of halves, or `f32`.

@@ -11,20 +11,16 @@ use crate::memory::{Read, Shared, Write};
 use crate::memory::{ReadBuffer, WriteBuffer};
 
 /// What a tile consists of: [`Left`], [`Right`] or `f32`.
-pub trait Element: Copy {
+pub trait Element: Copy + Default {
     /// What a buffer holds: for halves a word of two.
     type Word: Copy;
     /// Elements in four words.
     #[doc(hidden)]
     const FOUR: usize;
     #[doc(hidden)]
-    fn new(value: f32) -> Self;
+    fn values(words: [Self::Word; 4]) -> [Self; 8];
     #[doc(hidden)]
-    fn value(self) -> f32;
-    #[doc(hidden)]
-    fn values(words: [Self::Word; 4]) -> [f32; 8];
-    #[doc(hidden)]
-    fn words(values: [f32; 8]) -> [Self::Word; 4];
+    fn words(values: [Self; 8]) -> [Self::Word; 4];
 }
 
 macro_rules! halves {
@@ -34,33 +30,38 @@ macro_rules! halves {
             const FOUR: usize = 8;
 
             #[inline(always)]
-            fn new(value: f32) -> Self {
-                Self(value)
-            }
-
-            #[inline(always)]
-            fn value(self) -> f32 {
-                self.0
-            }
-
-            #[inline(always)]
-            fn values([a, b, c, d]: [u32; 4]) -> [f32; 8] {
+            fn values([a, b, c, d]: [u32; 4]) -> [Self; 8] {
                 let a = unpack(a);
                 let b = unpack(b);
                 let c = unpack(c);
                 let d = unpack(d);
-                [a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y]
+                [Self(a.x), Self(a.y), Self(b.x), Self(b.y), Self(c.x), Self(c.y), Self(d.x), Self(d.y)]
             }
 
             #[inline(always)]
-            fn words([a, b, c, d, e, f, g, h]: [f32; 8]) -> [u32; 4] {
-                [pack(a, b), pack(c, d), pack(e, f), pack(g, h)]
+            fn words([a, b, c, d, e, f, g, h]: [Self; 8]) -> [u32; 4] {
+                [pack(a.0, b.0), pack(c.0, d.0), pack(e.0, f.0), pack(g.0, h.0)]
             }
         }
     )*};
 }
 
 halves!(Left Right);
+
+impl Element for f32 {
+    type Word = f32;
+    const FOUR: usize = 4;
+
+    #[inline(always)]
+    fn values([a, b, c, d]: [f32; 4]) -> [f32; 8] {
+        [a, b, c, d, 0.0, 0.0, 0.0, 0.0]
+    }
+
+    #[inline(always)]
+    fn words([a, b, c, d, ..]: [f32; 8]) -> [f32; 4] {
+        [a, b, c, d]
+    }
+}
 
 /// The values of two halves. On a GPU it is one instruction, which may take a half below 2^-14 for 0, as its tensor core may.
 #[inline(always)]
@@ -80,31 +81,6 @@ fn pack(low: f32, high: f32) -> u32 {
     #[cfg(not(target_arch = "spirv"))]
     let word = crate::math::pack_half_2x16(Vec2::new(low, high));
     word
-}
-
-impl Element for f32 {
-    type Word = f32;
-    const FOUR: usize = 4;
-
-    #[inline(always)]
-    fn new(value: f32) -> Self {
-        value
-    }
-
-    #[inline(always)]
-    fn value(self) -> f32 {
-        self
-    }
-
-    #[inline(always)]
-    fn values([a, b, c, d]: [f32; 4]) -> [f32; 8] {
-        [a, b, c, d, 0.0, 0.0, 0.0, 0.0]
-    }
-
-    #[inline(always)]
-    fn words([a, b, c, d, ..]: [f32; 8]) -> [f32; 4] {
-        [a, b, c, d]
-    }
 }
 
 /// A `for` loop over `0..$n`. A GPU gets it written out, so that the tile stays in registers, and nothing counts its rounds.
@@ -142,14 +118,14 @@ macro_rules! loads {
         #[cfg_attr(not(target_arch = "spirv"), track_caller)]
         pub fn $name<$($generics)*>(memory: $memory, at: u32, stride: u32) -> Self {
             let [first, stride] = Self::words(at, stride);
-            let mut rows = [[T::new(0.0); N]; M];
+            let mut rows = [[T::default(); N]; M];
             unrolled!(i < M, {
                 unrolled!([0 1 2 3] four < N / T::FOUR, {
                     let word = first + i as u32 * stride + 4 * four as u32;
                     let words =
                         [memory.read(word), memory.read(word + 1), memory.read(word + 2), memory.read(word + 3)];
                     let values = T::values(words);
-                    unrolled!([0 1 2 3 4 5 6 7] j < T::FOUR, rows[i][four * T::FOUR + j] = T::new(values[j]));
+                    unrolled!([0 1 2 3 4 5 6 7] j < T::FOUR, rows[i][four * T::FOUR + j] = values[j]);
                 });
             });
             Self { rows }
@@ -167,8 +143,8 @@ macro_rules! stores {
             unrolled!(i < M, {
                 unrolled!([0 1 2 3] four < N / T::FOUR, {
                     let word = first + i as u32 * stride + 4 * four as u32;
-                    let mut values = [0.0; 8];
-                    unrolled!([0 1 2 3 4 5 6 7] j < T::FOUR, values[j] = self.rows[i][four * T::FOUR + j].value());
+                    let mut values = [T::default(); 8];
+                    unrolled!([0 1 2 3 4 5 6 7] j < T::FOUR, values[j] = self.rows[i][four * T::FOUR + j]);
                     let [a, b, c, d] = T::words(values);
                     memory.write(word, a);
                     memory.write(word + 1, b);

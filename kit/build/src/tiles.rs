@@ -86,7 +86,7 @@ pub fn check(spirv: &[u8]) -> Result<()> {
             || is_store && class(of).is_some_and(|class| shared.contains(&class))
     };
     ensure!(
-        !module.all_inst_iter().any(|of| is_repeated(of)),
+        !module.all_inst_iter().any(is_repeated),
         "it has `tiles`, and writes numbers or has atomics, in helpers too: with cooperative matrices, each lane of a subgroup would do that. Store \
          tiles, and write numbers in another kernel"
     );

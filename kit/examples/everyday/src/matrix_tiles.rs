@@ -33,10 +33,11 @@ pub fn product(
     Ok(output)
 }
 
-/// Words of pairs of numbers that are exact as halves.
+/// Words of pairs of numbers that are exact as halves; beside a last one stands 0.
 #[must_use]
 pub fn words(numbers: &[f32]) -> Vec<u32> {
-    numbers.chunks(2).map(|pair| bits(pair[0]) | (bits(pair[1]) << 16)).collect()
+    let word = |pair: &[f32]| bits(pair[0]) | pair.get(1).map_or(0, |second| bits(*second) << 16);
+    numbers.chunks(2).map(word).collect()
 }
 
 /// The parity case of a kernel.

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
-use crate::module::rewrite;
+use crate::rewrite::rewrite;
 
 /// Copies the arguments of all these instructions that were computed in another block.
 pub fn copy(module: &mut Module) {

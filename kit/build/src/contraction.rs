@@ -12,7 +12,7 @@ use anyhow::{Context, Result};
 use rspirv::dr::{Builder, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, Op, Word};
 
-use crate::module::{Writer, rewrite};
+use crate::rewrite::{Writer, rewrite};
 
 /// Operations that can have the decoration.
 const ARITHMETIC: [Op; 6] =

@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, HashMap};
 use rspirv::dr::{Builder, Instruction, Module, Operand};
 use rspirv::spirv::{GlslStd450Op, Op, Word};
 
-use crate::module::{Writer, rewrite};
+use crate::rewrite::{Writer, rewrite};
 
 /// Bits of a number without its sign.
 const SIZE: u32 = 0x7fff_ffff;

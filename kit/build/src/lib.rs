@@ -15,6 +15,7 @@ mod lower;
 mod memory_model;
 mod module;
 mod not_numbers;
+mod rewrite;
 mod rules;
 mod small_integers;
 mod tiles;

@@ -12,7 +12,7 @@ use rspirv::spirv::{Capability, GlslStd450Op, Op, Word};
 
 use crate::declarations::{host_types, merge_types, rename};
 use crate::expand::definitions;
-use crate::module::{Writer, rewrite};
+use crate::rewrite::{Writer, rewrite};
 
 /// The capabilities of the integers that are widened.
 pub const CAPABILITIES: [Capability; 2] = [Capability::Int8, Capability::Int16];

@@ -1,16 +1,11 @@
 //! How the CPU runs a kernel.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::format_ident;
 
-use crate::parse::{Kernel, Lanes, Parameter, Role};
+use crate::function::{function, hygienic, plain_argument, text, view};
+use crate::parse::{Kernel, Lanes, Role};
 use crate::{regions, regrouped};
-
-/// `quote!`, whose local names differ from the kernel's bindings.
-macro_rules! hygienic {
-    ($($tokens:tt)*) => { ::quote::quote_spanned! { ::proc_macro2::Span::mixed_site() => $($tokens)* } };
-}
-pub(crate) use hygienic;
 
 /// `const fn run()`: a workgroup at a time where no invocation waits for another, or where the kernel is cut into regions, else one
 /// invocation.
@@ -77,7 +72,7 @@ fn views(kernel: &Kernel, is_variant: bool) -> Vec<TokenStream> {
         let name = &parameter.name;
         let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
         let index = *slot;
-        let text = crate::expand::text(name);
+        let text = text(name);
         if matches!(parameter.role, Role::SharedTile(_)) && !is_variant {
             return None;
         }
@@ -93,17 +88,6 @@ fn views(kernel: &Kernel, is_variant: bool) -> Vec<TokenStream> {
     views.collect()
 }
 
-/// The method that makes a binding's view.
-pub fn view(role: &Role, element: &syn::Type) -> TokenStream {
-    match role {
-        Role::Uniform => hygienic!(uniform::<#element>()),
-        Role::Read => hygienic!(read::<#element>()),
-        Role::Packed => hygienic!(packed::<#element>()),
-        Role::Write => hygienic!(write::<#element>()),
-        Role::Shared(len) | Role::SharedTile(len) => hygienic!(shared::<#element, {#len}>()),
-    }
-}
-
 /// Changes a block's arithmetic. Returns whether there was something to change.
 type Change = fn(&mut syn::Block) -> bool;
 
@@ -114,7 +98,7 @@ const ARITHMETIC: [(&str, Change); 2] =
 /// The kernel with each change of its arithmetic that there is, unless it allows them.
 pub fn with_other_arithmetic(kernel: &Kernel) -> [Option<syn::ItemFn>; 2] {
     ARITHMETIC.map(|(name, change)| {
-        let mut function = crate::expand::function(kernel);
+        let mut function = function(kernel);
         function.sig.ident = format_ident!("{}_with_{name}_arithmetic", kernel.function.sig.ident);
         (!kernel.fused && change(&mut function.block)).then_some(function)
     })
@@ -239,14 +223,5 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
         const fn run() -> ::muslin::kernel::CpuRun {
             ::muslin::kernel::lane_runs!(run_lanes #vectors)
         }
-    }
-}
-
-/// The argument that the plain entry point and the CPU pass for a parameter.
-pub fn plain_argument(parameter: &Parameter) -> TokenStream {
-    let name = &parameter.name;
-    match parameter.role {
-        Role::SharedTile(_) => quote!(&mut ::muslin::shared_tile::Unshared),
-        _ => quote!(#name),
     }
 }

@@ -2,13 +2,14 @@
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
-use syn::ext::IdentExt;
 use syn::parse_quote;
 use syn::spanned::Spanned;
 
-use crate::cpu::{cpu_run, plain_argument, run_arithmetic, run_variant, with_other_arithmetic};
-use crate::parse::{Attribute, Kernel, Parameter, Role};
-use crate::{checks, regions};
+use crate::cpu::with_other_arithmetic;
+use crate::function::{function, plain_argument, text};
+use crate::info::{each, entry_name, info, info_name};
+use crate::parse::{Kernel, Role};
+use crate::regions;
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
@@ -45,42 +46,6 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
     }
 }
 
-/// The kernel itself. On the CPU it knows who it is and what its buffers are called: for messages.
-pub fn function(kernel: &Kernel) -> syn::ItemFn {
-    let mut function = kernel.function.clone();
-    let name = text(&function.sig.ident);
-    let id = &kernel.id;
-    let buffers = kernel.parameters.iter().filter(|parameter| parameter.role.is_named());
-    let named = buffers.map(|parameter| {
-        let name = &parameter.name;
-        let text = text(&parameter.name);
-        parse_quote! { #[cfg(not(target_arch = "spirv"))] let #name = #name.named(#text); }
-    });
-    let [x, y, z] = &kernel.threads;
-    let witness = parse_quote! {
-        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        let _witness = ::muslin::kernel::PanicContext::new(#name, #id, [#x, #y, #z]);
-    };
-    let max = max_iterations(kernel);
-    let max = parse_quote! {
-        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        ::muslin::kernel::allow_iterations(#max);
-    };
-    checks::add(&mut function.block, has_barriers(kernel));
-    let statements: Vec<syn::Stmt> = [witness, max].into_iter().chain(named).collect();
-    function.block.stmts.splice(0..0, statements);
-    function
-}
-
-/// Iterations of one invocation. A kernel that declares none has none, in its helpers either.
-pub fn max_iterations(kernel: &Kernel) -> TokenStream {
-    kernel.iterations.as_ref().map_or(quote!(0), |max| match kernel.lanes_type() {
-        // an invocation that takes several lanes may loop over them
-        Some(lanes) => quote!((#max) * #lanes::WIDTH),
-        None => quote!(#max),
-    })
-}
-
 /// The kernel as drivers may compile it that change its arithmetic. Only debug builds on the CPU have it.
 fn arithmetic_functions(kernel: &Kernel) -> TokenStream {
     let functions = with_other_arithmetic(kernel).into_iter().flatten().map(|mut function| {
@@ -96,25 +61,6 @@ fn arithmetic_functions(kernel: &Kernel) -> TokenStream {
     )*}
 }
 
-/// Whether the invocations of a workgroup wait for each other: in all entry points, or only where shared tiles are workgroup memory.
-fn has_barriers(kernel: &Kernel) -> Option<syn::Expr> {
-    if kernel.waits() {
-        return Some(parse_quote!(true));
-    }
-    let tiles = kernel.parameters.iter().filter_map(|Parameter { name, role, element, .. }| {
-        let Role::SharedTile(len) = role else { return None };
-        Some(quote! {
-            ::muslin::shared_tile::SharedTile::<#element, {#len}>::is_shared(&*#name)
-        })
-    });
-    kernel.has_shared_tiles().then(|| parse_quote!(false #(|| #tiles)*))
-}
-
-/// A name as text: for `r#move` it is `move`.
-pub fn text(name: &Ident) -> String {
-    name.unraw().to_string()
-}
-
 /// `tile_mask` -> `TileMaskKernel`
 fn dispatch_name(kernel: &Kernel) -> syn::Ident {
     let name = text(&kernel.function.sig.ident);
@@ -124,21 +70,6 @@ fn dispatch_name(kernel: &Kernel) -> syn::Ident {
     };
     let camel: String = name.split('_').map(capital).collect();
     format_ident!("{camel}Kernel")
-}
-
-fn info_name(kernel: &Kernel) -> syn::Ident {
-    format_ident!("{}_KERNEL", text(&kernel.function.sig.ident).to_uppercase())
-}
-
-/// An entry point's name: of the plain one, or of the variant.
-fn entry_name(kernel: &Kernel, is_variant: bool) -> String {
-    let name = text(&kernel.function.sig.ident);
-    match is_variant {
-        true if kernel.sums().next().is_some() => format!("{name}_wide"),
-        true if kernel.tiles.is_some() => format!("{name}_tiles"),
-        true => format!("{name}_shared"),
-        false => name,
-    }
 }
 
 /// A SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function. The attribute takes literals alone, so the
@@ -220,194 +151,6 @@ fn entry_point(kernel: &Kernel, is_variant: bool) -> TokenStream {
             let #id = ::muslin::invocation::Invocation::new(#place).with_items(#each) #subgroup;
             self::#name #lane (#id, #(#arguments),*);
         }
-    }
-}
-
-/// Items along x that an invocation of a GPU takes.
-fn each(kernel: &Kernel) -> TokenStream {
-    match kernel.samples {
-        true => {
-            quote!(<::muslin::samples::Four as ::muslin::samples::Samples>::WIDTH)
-        }
-        false => quote!(1),
-    }
-}
-
-/// The registry's entry: what the manifest says, and how the CPU runs it. `kept` says why as coroutines.
-fn info(kernel: &Kernel, kept: Option<regions::Kept>) -> TokenStream {
-    let name = &kernel.function.sig.ident;
-    let name_text = text(name);
-    let info_name = info_name(kernel);
-    let [x, y, z] = &kernel.threads;
-    let bindings = kernel.parameters.iter().filter_map(|parameter| {
-        let name = text(&parameter.name);
-        let Parameter { element, device_element, .. } = parameter;
-        let access = match parameter.role {
-            Role::Uniform => quote!(Uniform),
-            Role::Read | Role::Packed => quote!(Read),
-            Role::Write => quote!(Write),
-            Role::Shared(_) | Role::SharedTile(_) => return None,
-        };
-        Some(quote! {
-            ::muslin::kernel::BindingInfo {
-                name: #name,
-                access: ::muslin::kernel::Access::#access,
-                element: ::core::stringify!(#element),
-                element_bytes: ::core::mem::size_of::<#element>() as u32,
-                device_bytes: ::core::mem::size_of::<#device_element>() as u32,
-            }
-        })
-    });
-    let invocations = format!("the kernel `{name}`: a workgroup has 1 to 256 invocations");
-    let memory = format!("the kernel `{name}`: a workgroup has at most 16 KiB of memory");
-    let all_shared = shared(kernel, true);
-    let shared = shared(kernel, false);
-    let variant = variant(kernel);
-    let iterations = match &kernel.iterations {
-        Some(iterations) => quote!(::core::option::Option::Some(#iterations)),
-        None => quote!(::core::option::Option::None),
-    };
-    let is_storage = |parameter: &&Parameter| {
-        parameter.role.is_binding() && !matches!(parameter.role, Role::Uniform)
-    };
-    let storage_buffers = kernel.parameters.iter().filter(is_storage).count() as u32;
-    let run = cpu_run(kernel, kept.is_none());
-    let coroutines = match kept {
-        Some(why) => quote!(::core::option::Option::Some(#why)),
-        None => quote!(::core::option::Option::None),
-    };
-    let run_variant = run_variant(kernel);
-    let run_arithmetic = run_arithmetic(kernel);
-    let Attribute { fused, subgroups, z_serial, z_innermost, .. } = &kernel.attribute;
-    let has_tiles = kernel.tiles.is_some();
-    let each = each(kernel);
-    let limit = limit(kernel);
-    let over = over(kernel);
-    let unordered = kernel.unordered.iter().map(ToString::to_string);
-    quote! {
-        #[cfg(not(target_arch = "spirv"))]
-        #[::muslin::dependencies::linkme::distributed_slice(::muslin::kernel::KERNELS)]
-        #[linkme(crate = ::muslin::dependencies::linkme)]
-        static #info_name: ::muslin::kernel::KernelInfo = {
-            #run
-            #run_arithmetic
-            ::muslin::kernel::KernelInfo {
-                name: #name_text,
-                package: ::core::env!("CARGO_PKG_NAME"),
-                file: ::core::file!(),
-                workgroup_size: [#x, #y, #z],
-                iterations: #iterations,
-                fused: #fused,
-                subgroups: #subgroups,
-                z_serial: #z_serial,
-                z_innermost: #z_innermost,
-                each: #each,
-                bindings: &[#(#bindings),*],
-                shared: &#shared,
-                variant: #variant,
-                over: #over,
-                unordered: &[#(#unordered),*],
-                run: run(),
-                coroutines: #coroutines,
-                run_variant: #run_variant,
-                run_arithmetic: RUN_ARITHMETIC,
-            }
-        };
-        #[cfg(not(target_arch = "spirv"))]
-        const _: () = {
-            use ::muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
-            ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
-            #limit
-            // what every implementation of WebGPU offers; constants here would hide those that `threads` names
-            let size: [u32; 3] = [#x, #y, #z];
-            let invocations: u32 = size[0].saturating_mul(size[1]).saturating_mul(size[2]);
-            ::core::assert!(invocations > 0 && invocations <= 256 && size[2] <= 64, #invocations);
-            ::core::assert!(!#z_serial || size[2] == 1, "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`");
-            ::core::assert!(!#subgroups || size[1] == 1 && size[2] == 1, "`subgroups` takes workgroups along x: `threads(x)`");
-            ::core::assert!(!#has_tiles || size[1] == 1 && size[2] == 1, "`tiles` takes workgroups along x: `threads(x)`");
-            ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, #memory);
-        };
-    }
-}
-
-/// Refuses more iterations than every device takes.
-fn limit(kernel: &Kernel) -> Option<TokenStream> {
-    let iterations = kernel.iterations.as_ref()?;
-    let name = &kernel.function.sig.ident;
-    let message = format!(
-        "the kernel `{name}` declares more than 60,000 iterations: llvmpipe ends an invocation silently after 65,536, so split the \
-         work over dispatches"
-    );
-    Some(quote!(::core::assert!((#iterations) <= ::muslin::MAX_ITERATIONS, #message);))
-}
-
-/// The function that says what a dispatch runs over: in the declared sizes, the parameters and the lengths of buffers have their names.
-fn over(kernel: &Kernel) -> TokenStream {
-    let items = match &kernel.over[..] {
-        [] => return quote!(::core::option::Option::None),
-        [items] => quote!(Line(#items, 1)),
-        [items, workgroups_z] => quote!(Line(#items, #workgroups_z)),
-        all => quote!(Grid([#(#all),*])),
-    };
-    // bindings can have these names, too
-    let [uniform, elements] =
-        ["uniform", "elements"].map(|name| Ident::new(name, Span::mixed_site()));
-    let mut storage = 0_usize;
-    let named = kernel.parameters.iter().filter(|parameter| parameter.role.is_binding());
-    let named = named.map(|Parameter { name, role, element, .. }| {
-        if matches!(role, Role::Uniform) {
-            return quote!(let #name = ::muslin::dependencies::bytemuck::pod_read_unaligned::<#element>(#uniform););
-        }
-        storage += 1;
-        let at = storage - 1;
-        quote!(let #name = ::muslin::kernel::Elements(#elements[#at]);)
-    });
-    quote! {{
-        #[allow(unused_variables)]
-        fn over(#uniform: &[u8], #elements: &[u64]) -> ::muslin::kernel::Items {
-            #(#named)*
-            ::muslin::kernel::Items::#items
-        }
-        ::core::option::Option::Some(over)
-    }}
-}
-
-/// The arrays in workgroup memory, with or without shared tiles' arrays.
-fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
-    let arrays = kernel.parameters.iter().filter_map(|parameter| {
-        let name = text(&parameter.name);
-        let element = &parameter.element;
-        let len = match &parameter.role {
-            Role::Shared(len) => len,
-            Role::SharedTile(len) if stages => len,
-            _ => return None,
-        };
-        Some(quote! {
-            ::muslin::kernel::SharedInfo {
-                name: #name,
-                element: ::core::stringify!(#element),
-                len: ::core::mem::size_of::<[u8; #len]>() as u32,
-                bytes: ::core::mem::size_of::<[#element; #len]>() as u32,
-            }
-        })
-    });
-    quote!([#(#arrays),*])
-}
-
-/// The registry's record of the second entry point.
-fn variant(kernel: &Kernel) -> TokenStream {
-    if !kernel.has_variant() && kernel.tiles.is_none() {
-        return quote!(::core::option::Option::None);
-    }
-    let tiles = match &kernel.tiles {
-        Some(shape) => quote!(::core::option::Option::Some([#(#shape),*])),
-        None => quote!(::core::option::Option::None),
-    };
-    let name = entry_name(kernel, true);
-    let shared = shared(kernel, true);
-    let sums = kernel.sums().map(|parameter| text(&parameter.name));
-    quote! {
-        ::core::option::Option::Some(::muslin::kernel::EntryPoint { name: #name, shared: &#shared, sums: &[#(#sums),*], tiles: #tiles })
     }
 }
 

@@ -64,6 +64,8 @@ macro_rules! only_what_runs {
 mod checks;
 mod cpu;
 mod expand;
+mod function;
+mod info;
 mod parse;
 mod regions;
 mod regrouped;

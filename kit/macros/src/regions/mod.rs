@@ -15,8 +15,7 @@ use quote::{format_ident, quote};
 use syn::{FnArg, Ident, Pat};
 
 use crate::checks;
-use crate::cpu::{hygienic, view};
-use crate::expand::{max_iterations, text};
+use crate::function::{hygienic, max_iterations, text, view};
 use crate::parse::{Kernel, Parameter, Role};
 use crossing::Crossing;
 use uniform::Names;

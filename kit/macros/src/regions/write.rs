@@ -10,7 +10,7 @@ use super::cut::{Head, List, Part};
 use super::scan::is_name;
 use super::uniform::Names;
 use crate::checks;
-use crate::cpu::hygienic;
+use crate::function::hygienic;
 use crate::parse::Kernel;
 
 pub struct Writer<'a> {

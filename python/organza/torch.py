@@ -249,6 +249,7 @@ def rasterization(
     width: int,
     height: int,
     *,
+    slopes: torch.Tensor | None = None,
     channels: Sequence[Channel] = (),
     tile_size: int = 64,
 ) -> tuple[torch.Tensor, torch.Tensor, dict[str, Any]]:
@@ -262,6 +263,7 @@ def rasterization(
     | `opacities` | `[N]` | between 0 and 1 |
     | `materials` | `[N, material]` | in the place of gsplat's `colors`: what the color network takes |
     | `extras` | `[N, extra]` | what the transmittance network takes |
+    | `slopes` | `[N, 9]` | how colors grow per standard deviation along each axis, where the scene has slopes |
     | `fields` | | both networks with their hash grids |
     | `viewmats` | `[C, 4, 4]` | world to camera, OpenCV's axes |
     | `Ks` | `[C, 3, 3]` | intrinsics in pixels |
@@ -280,6 +282,7 @@ def rasterization(
         _GAUSSIANS + "opacity": opacities.logit(),
         _GAUSSIANS + "material": materials,
         _GAUSSIANS + "extra": extras,
+        **({} if slopes is None else {_GAUSSIANS + "slope": slopes}),
         **fields.tensors(),
     }
     cameras = Cameras.from_matrices(_matrices(viewmats), _matrices(Ks), width, height)

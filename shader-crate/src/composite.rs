@@ -5,6 +5,7 @@ use glam::{UVec3, Vec3, Vec4};
 
 use crate::limits::MAX_INTERSECTIONS;
 use crate::project::{falloff, in_support, mahalanobis};
+use crate::slope::SLOPE_VECTORS;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::tile_cells::{Cells, touches};
@@ -17,6 +18,8 @@ pub struct CompositeParams {
     pub side: u32,
     /// Intersections of each tile that earlier dispatches have summed up.
     pub skip: u32,
+    /// 1 where colors vary within a Gaussian.
+    pub sloped: u32,
 }
 
 /// Squared Mahalanobis distance of a pixel from a splat's center.
@@ -99,7 +102,8 @@ impl Source<u32> for IntersectionCells<'_> {
 /// Adds up to [`MAX_INTERSECTIONS`] intersections to `sum [tiles, 4, S, S]`, which holds (C, S) of Eq. 12.
 ///
 /// The intersections of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order; `cells [intersections]` as
-/// [`tile_cells`](crate::tile_cells::tile_cells()) writes them.
+/// [`tile_cells`](crate::tile_cells::tile_cells()) writes them; `slope [pairs, 4]` as [`slope`](crate::slope::slope()) does,
+/// read only if colors vary.
 #[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), iterations = MAX_INTERSECTIONS + MAX_INTERSECTIONS / 8, lanes(side))]
 pub fn composite<L: Lane>(
     id: Invocation,
@@ -109,6 +113,7 @@ pub fn composite<L: Lane>(
     intersection: Read<u32>,
     cells: Read<u32>,
     splat: Read<Vec4>,
+    slope: Read<Vec4>,
     sum: Write<f32>,
     shared_cells: &mut impl SharedTile<u32, SHARED_INTERSECTIONS>,
     shared_splats: &mut impl SharedTile<Vec4, SHARED_VECTORS>,
@@ -159,9 +164,21 @@ pub fn composite<L: Lane>(
                         let q = splat_distance(placed, conic, x, y);
                         let a = alpha(placed, q);
                         let c = shared_splats.element(offset + 2, splats);
-                        red = red + L::select(in_support(q), a * L::splat(c.x), zero);
-                        green = green + L::select(in_support(q), a * L::splat(c.y), zero);
-                        blue = blue + L::select(in_support(q), a * L::splat(c.z), zero);
+                        let mut r = L::splat(c.x);
+                        let mut g = L::splat(c.y);
+                        let mut b = L::splat(c.z);
+                        if params.sloped != 0 {
+                            let at = intersection.read(next + k) * SLOPE_VECTORS;
+                            let along_x = slope.read(at);
+                            let row = c + slope.read(at + 1) * (first.y - placed.y);
+                            let dx = x - L::splat(placed.x);
+                            r = L::splat(row.x) + L::splat(along_x.x) * dx;
+                            g = L::splat(row.y) + L::splat(along_x.y) * dx;
+                            b = L::splat(row.z) + L::splat(along_x.z) * dx;
+                        }
+                        red = red + L::select(in_support(q), a * r, zero);
+                        green = green + L::select(in_support(q), a * g, zero);
+                        blue = blue + L::select(in_support(q), a * b, zero);
                         weight = weight + L::select(in_support(q), a, zero);
                     }
                 }

@@ -5,6 +5,7 @@ use glam::{Vec3, Vec4};
 use crate::composite::SUM_PLANES;
 use crate::limits::MAX_BAND;
 use crate::project::{falloff, in_support, mahalanobis};
+use crate::slope::{SLOPE_GRADIENT_VECTORS, SLOPE_VECTORS};
 use crate::splat::{Compensation, VECTORS};
 use crate::tile::Tile;
 use crate::transmittance::owner;
@@ -26,6 +27,8 @@ pub struct CompositeBackwardParams {
     pub rows: u32,
     /// See [`SplatParams::compensated_blur`](crate::splat::SplatParams::compensated_blur).
     pub compensated_blur: f32,
+    /// See [`CompositeParams::sloped`](crate::composite::CompositeParams::sloped).
+    pub sloped: u32,
 }
 
 /// Rows that one dispatch of [`composite_backward`] may sum over, for tiles of a side: an invocation takes a step for
@@ -66,14 +69,21 @@ struct Moments {
     second: Vec3,
     /// falloff dL/dC
     color: Vec3,
+    /// falloff dL/dC dx; 0 where colors do not vary
+    along_x: Vec3,
+    /// falloff dL/dC dy, likewise
+    along_y: Vec3,
 }
+
+/// An intersection's splat, and how its color grows along x and y.
+type Sloped = [Vec4; 5];
 
 /// Sums over `blocks` of `L::WIDTH` columns from `column` on, of the rows of a span; `at` is the tile's first value
 /// of `gradient [tiles, 4, S, S]`.
 #[loops]
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
-fn moments<L: Lane>(
+fn moments<L: Lane, const SLOPED: bool>(
     gradient: Read<f32>,
     at: u32,
     side: u32,
@@ -81,9 +91,9 @@ fn moments<L: Lane>(
     column: u32,
     blocks: u32,
     origin: [i32; 2],
-    splat: [Vec4; 3],
+    splat: Sloped,
 ) -> Moments {
-    let [placed, conic, color] = splat;
+    let [placed, conic, color, along_x, along_y] = splat;
     let conic = Vec3::new(conic.x, conic.y, conic.z);
     let area = side * side;
     let zero = L::splat(0.0);
@@ -98,11 +108,18 @@ fn moments<L: Lane>(
     let mut hxx = zero;
     let mut hxy = zero;
     let mut hyy = zero;
+    let mut all_x = [zero; 3];
+    let mut all_y = [zero; 3];
     let mut row = rows.begin;
     while row < rows.end {
-        let dy = L::splat((origin[1] + row as i32) as f32 + 0.5 - placed.y);
+        let below = (origin[1] + row as i32) as f32 + 0.5 - placed.y;
+        let dy = L::splat(below);
+        let row_color = if SLOPED { color + along_y * below } else { color };
         let mut row_h = zero;
         let mut row_hx = zero;
+        let mut row_red = zero;
+        let mut row_green = zero;
+        let mut row_blue = zero;
         let mut next = at + row * side + column;
         let end = next + blocks * L::WIDTH;
         let mut x = left;
@@ -115,14 +132,31 @@ fn moments<L: Lane>(
             let g = L::read(gradient, next + area);
             let b = L::read(gradient, next + 2 * area);
             let s = L::read(gradient, next + 3 * area);
-            let by_alpha =
-                r * L::splat(color.x) + g * L::splat(color.y) + b * L::splat(color.z) + s;
+            let mut of_red = L::splat(row_color.x);
+            let mut of_green = L::splat(row_color.y);
+            let mut of_blue = L::splat(row_color.z);
+            if SLOPED {
+                of_red = of_red + L::splat(along_x.x) * dx;
+                of_green = of_green + L::splat(along_x.y) * dx;
+                of_blue = of_blue + L::splat(along_x.z) * dx;
+            }
+            let by_alpha = r * of_red + g * of_green + b * of_blue + s;
             // a falloff of 0 makes NaN of what is not finite
             let by_weight = L::select(reached, f * by_alpha, zero);
             let by_x = by_weight * dx;
             red = L::select(reached, red + f * r, red);
             green = L::select(reached, green + f * g, green);
             blue = L::select(reached, blue + f * b, blue);
+            if SLOPED {
+                let by_red = L::select(reached, f * r, zero);
+                let by_green = L::select(reached, f * g, zero);
+                let by_blue = L::select(reached, f * b, zero);
+                row_red = row_red + by_red;
+                row_green = row_green + by_green;
+                row_blue = row_blue + by_blue;
+                let [x, y, z] = all_x;
+                all_x = [x + by_red * dx, y + by_green * dx, z + by_blue * dx];
+            }
             row_h = row_h + by_weight;
             row_hx = row_hx + by_x;
             hxx = hxx + by_x * dx;
@@ -134,25 +168,31 @@ fn moments<L: Lane>(
         hy = hy + row_h * dy;
         hxy = hxy + row_hx * dy;
         hyy = hyy + row_h * dy * dy;
+        if SLOPED {
+            let [x, y, z] = all_y;
+            all_y = [x + row_red * dy, y + row_green * dy, z + row_blue * dy];
+        }
         row += 1;
     }
     Moments {
         first: Vec3::new(h.sum(), hx.sum(), hy.sum()),
         second: Vec3::new(hxx.sum(), hxy.sum(), hyy.sum()),
         color: Vec3::new(red.sum(), green.sum(), blue.sum()),
+        along_x: Vec3::new(all_x[0].sum(), all_x[1].sum(), all_x[2].sum()),
+        along_y: Vec3::new(all_y[0].sum(), all_y[1].sum(), all_y[2].sum()),
     }
 }
 
 /// Sums over the pixels that an intersection's support may reach, and over their neighbors in the same rows, which add nothing.
 #[inline(always)]
-fn all_moments<L: Lane>(
+fn all_moments<L: Lane, const SLOPED: bool>(
     gradient: Read<f32>,
     at: u32,
     side: u32,
     rows: Span,
     columns: Span,
     origin: [i32; 2],
-    splat: [Vec4; 3],
+    splat: Sloped,
 ) -> Moments {
     // whole blocks, moved to the left where they would end past the row
     let wanted = (columns.end - columns.begin).div_ceil(L::WIDTH);
@@ -160,15 +200,17 @@ fn all_moments<L: Lane>(
     let blocks = if wanted < fitting { wanted } else { fitting };
     let max = side - blocks * L::WIDTH;
     let begin = if columns.begin < max { columns.begin } else { max };
-    let mut sum = moments::<L>(gradient, at, side, rows, begin, blocks, origin, splat);
+    let mut sum = moments::<L, SLOPED>(gradient, at, side, rows, begin, blocks, origin, splat);
     let end = begin + blocks * L::WIDTH;
     if L::WIDTH > 1 && end < columns.end {
         let rest = columns.end - end;
-        let more = moments::<L::One>(gradient, at, side, rows, end, rest, origin, splat);
+        let more = moments::<L::One, SLOPED>(gradient, at, side, rows, end, rest, origin, splat);
         sum = Moments {
             first: sum.first + more.first,
             second: sum.second + more.second,
             color: sum.color + more.color,
+            along_x: sum.along_x + more.along_x,
+            along_y: sum.along_y + more.along_y,
         };
     }
     sum
@@ -176,7 +218,8 @@ fn all_moments<L: Lane>(
 
 /// Adds to `intersection_gradient [intersections, 3]` the gradient of each intersection's splat from some rows of its tile, given
 /// `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS: `(d mean2d x, y, d weight, 0), (d conic xx, xy, yy, 0),
-/// (d color, 0)`.
+/// (d color, 0)`. Where colors vary, also adds to `intersection_slope [intersections, 2]` the gradient of their growth along x and
+/// y, and `slope [pairs, 4]` is as [`slope`](crate::slope::slope()) writes it.
 ///
 /// The derivative of Eq. 12: with `alpha = weight falloff(q)`, `dL/dalpha = dL/dC . c + dL/dS`, and
 /// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0. The weight is the one before its [`Compensation`], which depends on
@@ -190,14 +233,17 @@ pub fn composite_backward<L: Lane>(
     tile_first: Read<u32>,
     intersection: Read<u32>,
     splat: Read<Vec4>,
+    slope: Read<Vec4>,
     sum_gradient: Read<f32>,
     intersection_gradient: Write<Vec4>,
+    intersection_slope: Write<Vec4>,
 ) {
     let index = id.index();
     if index < params.intersections {
         let t = owner(tile_first, params.tiles, index);
         let [x, y] = Tile::read(tile, t).origin;
-        let vector = intersection.read(index) * VECTORS;
+        let pair = intersection.read(index);
+        let vector = pair * VECTORS;
         let placed = splat.read(vector);
         let conic = splat.read(vector + 1);
         let color = splat.read(vector + 2);
@@ -207,15 +253,26 @@ pub fn composite_backward<L: Lane>(
         let rows = Span::new(placed.y, conic.w, y, params.first_row, last_row);
         if columns.begin < columns.end && rows.begin < rows.end {
             let at = t * SUM_PLANES * side * side;
-            let splat = [placed, conic, color];
-            let sum = all_moments::<L>(sum_gradient, at, side, rows, columns, [x, y], splat);
+            let origin = [x, y];
+            let gradient = sum_gradient;
+            let mut along_x = Vec4::ZERO;
+            let mut along_y = Vec4::ZERO;
+            let sum = if params.sloped != 0 {
+                along_x = slope.read(pair * SLOPE_VECTORS);
+                along_y = slope.read(pair * SLOPE_VECTORS + 1);
+                let splat = [placed, conic, color, along_x, along_y];
+                all_moments::<L, true>(gradient, at, side, rows, columns, origin, splat)
+            } else {
+                let splat = [placed, conic, color, along_x, along_y];
+                all_moments::<L, false>(gradient, at, side, rows, columns, origin, splat)
+            };
             // dq/dmean2d = -2 conic d
             let hx = sum.first.y;
             let hy = sum.first.z;
             let weight = placed.z;
             let conic = Vec3::new(conic.x, conic.y, conic.z);
             let compensation = Compensation::new(conic, params.compensated_blur);
-            let geometry = Vec4::new(
+            let mut geometry = Vec4::new(
                 weight * (conic.x * hx + conic.y * hy),
                 weight * (conic.y * hx + conic.z * hy),
                 sum.first.x * compensation.factor,
@@ -224,6 +281,17 @@ pub fn composite_backward<L: Lane>(
             let mut shape = Vec3::new(-0.5, -1.0, -0.5) * sum.second * weight;
             if params.compensated_blur > 0.0 {
                 shape += compensation.log_slope * (sum.first.x * weight);
+            }
+            if params.sloped != 0 {
+                // a center that moves takes the color with it
+                let by_color = (sum.color * weight).extend(0.0);
+                geometry.x -= along_x.dot(by_color);
+                geometry.y -= along_y.dot(by_color);
+                let first = index * SLOPE_GRADIENT_VECTORS;
+                let before = intersection_slope.read(first);
+                intersection_slope.write(first, before + (sum.along_x * weight).extend(0.0));
+                let before = intersection_slope.read(first + 1);
+                intersection_slope.write(first + 1, before + (sum.along_y * weight).extend(0.0));
             }
             let first = index * VECTORS;
             let before = intersection_gradient.read(first);

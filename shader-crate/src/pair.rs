@@ -91,7 +91,7 @@ pub struct PairSumParams {
 const VALUES_PER_INVOCATION: u32 = 4;
 
 /// Adds the vectors of a Gaussian's pairs in some of the cameras to its own, one after the other. The vectors are gradients of what all
-/// cameras share: the material of Eq. 1 and the extra vector of Eq. 9.
+/// cameras share: the material of Eq. 1, the extra vector of Eq. 9 and the slope of Eq. 17.
 ///
 /// `mask` and `first_pair [cameras, words]`, `pair_vector [pairs, width]`, `vector [gaussians, width]`.
 ///

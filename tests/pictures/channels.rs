@@ -56,6 +56,7 @@ pub fn visible_splats(case: &Case, camera: usize) -> Vec<VisibleSplat> {
                 weight: composite::weight(logit, transmittance) * compensation,
                 conic,
                 color: [0.0; 3],
+                growth: None,
             },
             depth: depth(&view, &gaussian),
             transmittance,

@@ -251,10 +251,16 @@ fn colors_that_are_nan_fill_their_supports() {
     }
 }
 
-/// The gradient of one intersection in one tile, for `gradient [4, S, S]`.
-fn composite_backward(device: &Device, splat: [Vec4; 3], side: u32, gradient: &[f32]) -> Vec<Vec4> {
+/// The gradient of one intersection in one tile, for `gradient [4, S, S]`, of a color that varies or not.
+fn composite_backward(
+    device: &Device,
+    (splat, sloped): ([Vec4; 3], u32),
+    side: u32,
+    gradient: &[f32],
+) -> Vec<Vec4> {
     let tile = Tile { camera: 0, origin: [0, 0], output: 0 };
     let intersection_gradient = device.zeros("intersection gradient", 3).expect("memory");
+    let intersection_slope = device.zeros("gradient of the slope", 2).expect("memory");
     let kernel = CompositeBackwardKernel {
         params: CompositeBackwardParams {
             intersections: 1,
@@ -263,16 +269,20 @@ fn composite_backward(device: &Device, splat: [Vec4; 3], side: u32, gradient: &[
             first_row: 0,
             rows: side,
             compensated_blur: 0.0,
+            sloped,
         },
         tile: &device.upload("tile", &tile.pack()).expect("memory"),
         tile_first: &device.upload("first", &[0, 1]).expect("memory"),
         intersection: &device.upload("intersection", &[0]).expect("memory"),
         splat: &device.upload("splat", &splat).expect("memory"),
+        slope: &device.upload("slope", &[Vec4::splat(0.01); 4]).expect("memory"),
         sum_gradient: &device.upload("gradient", gradient).expect("memory"),
         intersection_gradient: &intersection_gradient,
+        intersection_slope: &intersection_slope,
     };
     device.run(&kernel, 1, 1).expect("it runs");
-    device.read(&intersection_gradient).expect("it ran")
+    let read = |buffer| device.read(buffer).expect("it ran");
+    [read(&intersection_gradient), read(&intersection_slope)].concat()
 }
 
 #[test]
@@ -293,9 +303,11 @@ fn a_gradient_outside_a_support_does_not_matter() {
         let spoiled: Vec<_> = spoiled.collect();
         let lost = spoiled.iter().filter(|value| !value.is_finite()).count();
         assert!(lost > 100 && lost < gradient.len() - 100, "{lost} values are spoiled");
-        for (name, renderer) in every_device() {
+        let devices = every_device();
+        for ((name, renderer), sloped) in devices.iter().flat_map(|on| [(on, 0), (on, 1)]) {
+            let device = renderer.device();
             let [clean, other] = [&gradient, &spoiled]
-                .map(|gradient| composite_backward(renderer.device(), splat, side, gradient));
+                .map(|gradient| composite_backward(device, (splat, sloped), side, gradient));
             assert!(clean.iter().all(|value| value.is_finite()) && clean[0] != Vec4::ZERO);
             assert_eq!(clean, other, "side {side} on {name}");
         }

@@ -5,6 +5,7 @@ use muslin_check::prelude::*;
 use organza_shaders::composite::{CompositeInputs, CompositeParams};
 use organza_shaders::limits::MAX_INTERSECTIONS;
 use organza_shaders::project::FALLOFF_CUTOFF;
+use organza_shaders::slope::SLOPE_VECTORS;
 use organza_shaders::tile::Tile;
 
 use super::exact::composite::Splat;
@@ -55,15 +56,27 @@ impl Composite {
         let sum = random.values(4 * tiles.len() * area, 0.0, 0.5);
         let sum = sum.as_chunks().0.iter().copied();
         Self(CompositeInputs {
-            params: CompositeParams { side, skip: 0 },
+            params: CompositeParams { side, skip: 0, sloped: 0 },
             tile: pack(&tiles),
             tile_first,
             intersection,
             // all cells
             cells: vec![u32::MAX; all as usize],
             splat,
+            slope: Fill::Random.vectors(
+                &mut random,
+                SLOPE_VECTORS as usize * splats,
+                [-0.1, 0.1],
+                0.0,
+            ),
             sum: planes(sum, area),
         })
+    }
+
+    /// The same set with colors that vary.
+    pub(super) fn sloped(mut self) -> Self {
+        self.params.sloped = 1;
+        self
     }
 
     /// Three tiles; if they are not random, of the next seed.
@@ -90,12 +103,19 @@ impl Composite {
     }
 
     /// The splats of a tile that this pass sums up.
-    fn splats(&self, tile: usize) -> impl Iterator<Item = &[Vec4; 3]> {
+    fn splats(&self, tile: usize) -> impl Iterator<Item = Splat<Rounded>> {
         let end = self.tile_first[tile + 1];
         let first = self.tile_first[tile] + self.params.skip;
         let end = end.min(first + MAX_INTERSECTIONS);
         let intersections = &self.intersection[first.min(end) as usize..end as usize];
-        intersections.iter().map(|&intersection| &self.splat.as_chunks().0[intersection as usize])
+        intersections.iter().map(|&pair| {
+            let pair = pair as usize;
+            let splat = Splat::from_vectors(&self.splat.as_chunks().0[pair]);
+            match self.params.sloped {
+                0 => splat,
+                _ => splat.growing(&self.slope[SLOPE_VECTORS as usize * pair..]),
+            }
+        })
     }
 }
 
@@ -142,6 +162,10 @@ impl Parity for Composite {
         let mut second = Self::new(8, &[25, 20], Fill::Random, 5);
         second.params.skip = 20;
         sets.push(("second pass".into(), second));
+        for side in SIDES {
+            let set = Self::filled(side, Fill::Random, 1).sloped();
+            sets.push((format!("sloped, side {side}"), set));
+        }
         sets
     }
 
@@ -150,7 +174,7 @@ impl Parity for Composite {
         let area = (side * side) as usize;
         let of = |at: usize| {
             let (tile, place) = place(side, at);
-            let terms = self.splats(tile).map(|splat| Splat::from_vectors(splat).term(place));
+            let terms = self.splats(tile).map(|splat| splat.term(place));
             terms.fold(pixel(&self.sum, area, at), |sum, term: [Rounded; 4]| {
                 [0, 1, 2, 3].map(|channel| sum[channel] + term[channel])
             })

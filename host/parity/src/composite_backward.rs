@@ -6,6 +6,7 @@ use organza_shaders::composite::CompositeInputs;
 use organza_shaders::composite_backward::{
     CompositeBackwardInputs, CompositeBackwardParams, band_rows,
 };
+use organza_shaders::slope::SLOPE_VECTORS;
 
 use super::composite::{Composite, SIDES, extent, pixel, place};
 use super::exact::composite::{Splat, compensation};
@@ -16,7 +17,8 @@ case!(pub CompositeBackward(CompositeBackwardInputs));
 impl CompositeBackward {
     fn new(Composite(forward): Composite) -> Self {
         let side = forward.params.side;
-        let CompositeInputs { tile, tile_first, intersection, mut splat, sum, .. } = forward;
+        let sloped = forward.params.sloped;
+        let CompositeInputs { tile, tile_first, intersection, mut splat, slope, sum, .. } = forward;
         // squares of distances are finite
         for placed in splat.iter_mut().step_by(3) {
             placed.x = placed.x.clamp(-1e15, 1e15);
@@ -26,6 +28,8 @@ impl CompositeBackward {
         let sum_gradient = random.values(sum.len(), -1.0, 1.0);
         let intersection_gradient =
             Fill::Random.vectors(&mut random, 3 * intersection.len(), [-1.0, 1.0], 0.0);
+        let intersection_slope =
+            Fill::Random.vectors(&mut random, 2 * intersection.len(), [-1.0, 1.0], 0.0);
         Self(CompositeBackwardInputs {
             params: CompositeBackwardParams {
                 intersections: intersection.len() as u32,
@@ -34,13 +38,16 @@ impl CompositeBackward {
                 first_row: 0,
                 rows: side,
                 compensated_blur: 0.0,
+                sloped,
             },
             tile,
             tile_first,
             intersection,
             splat,
+            slope,
             sum_gradient,
             intersection_gradient,
+            intersection_slope,
         })
     }
 
@@ -81,18 +88,23 @@ impl CompositeBackward {
         })
     }
 
-    /// The derivatives of the band's sums: center, weight, conic and color.
-    fn derivatives(&self, index: usize) -> [Rounded; 9] {
-        let Splat { mean: [x, y], weight, conic, color: [r, g, b] } =
-            Splat::<Rounded>::from_vectors(self.splat(index));
+    /// The derivatives of the band's sums: center, weight, conic, color, and how the color grows.
+    fn derivatives(&self, index: usize) -> [Rounded; 15] {
+        let slope = &self.slope[SLOPE_VECTORS as usize * self.intersection[index] as usize..];
+        let splat = Splat::<Rounded>::from_vectors(self.splat(index)).growing(slope);
+        let Splat { mean: [x, y], weight, conic, color: [r, g, b], growth } = splat;
+        let [[rx, gx, bx], [ry, gy, by]] = growth.expect("it grows");
+        let grows = self.params.sloped != 0;
         let blur = f64::from(self.params.compensated_blur);
         let [xx, xy, yy] = conic;
         let bare = if blur > 0.0 { weight / compensation(conic, blur) } else { weight };
         let pixels: Vec<_> = self.pixels(index).collect();
-        gradient([x, y, bare, xx, xy, yy, r, g, b], |[x, y, bare, xx, xy, yy, r, g, b]| {
+        let values = [x, y, bare, xx, xy, yy, r, g, b, rx, gx, bx, ry, gy, by];
+        gradient(values, |[x, y, bare, xx, xy, yy, r, g, b, rx, gx, bx, ry, gy, by]| {
+            let growth = grows.then_some([[rx, gx, bx], [ry, gy, by]]);
             let conic = [xx, xy, yy];
             let weight = if blur > 0.0 { bare * compensation(conic, blur) } else { bare };
-            let splat = Splat { mean: [x, y], weight, conic, color: [r, g, b] };
+            let splat = Splat { mean: [x, y], weight, conic, color: [r, g, b], growth };
             Number::sum(pixels.iter().flat_map(|(place, slopes)| {
                 let terms = splat.term(*place);
                 [0, 1, 2, 3].map(|channel| terms[channel] * Dual::constant(slopes[channel]))
@@ -123,16 +135,29 @@ impl Parity for CompositeBackward {
         let set = new(17, &[30, 33], 14);
         sets.push(("compensated".into(), set.clone().compensated()));
         sets.push(("rows 3 to 9".into(), set.band(3, 7)));
+        for side in [1, 9, 16, 19, 33] {
+            let set = Self::new(Composite::filled(side, Fill::Random, 11).sloped());
+            sets.push((format!("sloped, side {side}"), set.clone()));
+            sets.push((format!("sloped and compensated, side {side}"), set.compensated()));
+        }
         sets
     }
 
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
         let zero = Rounded::exact(0.0);
         let of = |index: usize| {
-            let [x, y, weight, xx, xy, yy, r, g, b] = self.derivatives(index);
-            [x, y, weight, zero, xx, xy, yy, zero, r, g, b, zero]
+            let [x, y, weight, xx, xy, yy, r, g, b, rx, gx, bx, ry, gy, by] =
+                self.derivatives(index);
+            match output {
+                "intersection_slope" => vec![rx, gx, bx, zero, ry, gy, by, zero],
+                _ => vec![x, y, weight, zero, xx, xy, yy, zero, r, g, b, zero],
+            }
         };
-        let before = self.intersection_gradient.iter().flat_map(Vec4::to_array);
+        let before = match output {
+            "intersection_slope" => &self.intersection_slope,
+            _ => &self.intersection_gradient,
+        };
+        let before = before.iter().flat_map(Vec4::to_array);
         let sums = (0..self.intersection.len()).flat_map(of);
         listed(before.zip(sums).map(|(before, sum)| Rounded::from(before) + sum))
     }

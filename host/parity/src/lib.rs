@@ -33,6 +33,7 @@ pub mod project_backward;
 mod resolve;
 mod scan;
 pub mod segment;
+mod slope;
 mod splat;
 mod ssim;
 mod statistics;

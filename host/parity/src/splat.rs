@@ -91,7 +91,7 @@ const FIRST_TILE: [u32; 4] = [0, 3, 5, 5];
 case!(pub SplatBackward(SplatBackwardInputs));
 
 impl SplatBackward {
-    fn new(gaussians: u32, fill: Fill, random: &mut Random) -> Self {
+    pub(super) fn new(gaussians: u32, fill: Fill, random: &mut Random) -> Self {
         let words = gaussians.div_ceil(32);
         let tiles = FIRST_TILE[3];
         let mut tile_mask: Vec<_> = (0..tiles * words)
@@ -119,7 +119,7 @@ impl SplatBackward {
             pair_gradient: Vec::new(),
         });
         set.intersection_gradient = vec![Vec4::ZERO; 3 * intersections as usize];
-        set.pair = set.sums().into_keys().collect();
+        set.pair = set.sums::<12>(&set.intersection_gradient).into_keys().collect();
         set.params.pairs = set.pair.len() as u32;
         set.pair_gradient = unwritten(VECTORS as usize * set.pair.len());
         set.transmittance = random.values(set.pair.len(), 0.0, 1.0);
@@ -129,15 +129,15 @@ impl SplatBackward {
         set
     }
 
-    /// The sum over every pair's intersections, which are in the order of the masks' bits.
-    fn sums(&self) -> BTreeMap<u32, [Rounded; 12]> {
+    /// The sum over every pair's intersections of their N values, which are in the order of the masks' bits.
+    pub(super) fn sums<const N: usize>(&self, values: &[Vec4]) -> BTreeMap<u32, [Rounded; N]> {
         let row = 32 * self.params.gaussians.div_ceil(32) as usize;
         let mut sums = BTreeMap::new();
-        for (vectors, at) in self.intersection_gradient.chunks(3).zip(bits(&self.tile_mask)) {
+        for (vectors, at) in values.chunks(N / 4).zip(bits(&self.tile_mask)) {
             let camera = FIRST_TILE.iter().rposition(|&first| first as usize <= at / row);
             let camera = camera.expect("the first is 0") as u32;
             let slot = camera * self.params.gaussians + (at % row) as u32;
-            let sum = sums.entry(slot).or_insert([Rounded::exact(0.0); 12]);
+            let sum = sums.entry(slot).or_insert([Rounded::exact(0.0); N]);
             let values = vectors.iter().flat_map(Vec4::to_array);
             sum.iter_mut().zip(values).for_each(|(sum, x)| *sum = *sum + x.into());
         }
@@ -157,7 +157,7 @@ impl Parity for SplatBackward {
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
-        let sums = self.sums();
+        let sums = self.sums::<12>(&self.intersection_gradient);
         let of = |(pair, slot): (usize, &u32)| {
             let mut exact = sums[slot];
             let by_weight = Dual::constant(exact[2]);

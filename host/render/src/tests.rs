@@ -66,11 +66,11 @@ fn evaluate(
     let part = Part::evaluate(scene, cameras, part_tiles, true, counts).expect("a part");
     let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
     let image = &part.composite.image;
-    let d_splats = part.composite.backward(part.context(scene), image).expect("a gradient");
-    part.raise_bounds(scene, &d_splats, &gradient).expect("bounds");
+    let d_pairs = part.composite.backward(part.context(scene), image).expect("a gradient");
+    part.raise_bounds(scene, &d_pairs.splat, &gradient).expect("bounds");
     let counts = [&part.bins.pairs.count, &part.transmittance.samples];
     gradient.set_scales(device, scene, counts).expect("scales");
-    part.backward(scene, &d_splats, &gradient, None, false).expect("a gradient");
+    part.backward(scene, &d_pairs, &gradient, None, false).expect("a gradient");
     gradient.finish(device).expect("a gradient");
     let needed = match &part.bins.part_counts {
         None => Some(part.capacity),

@@ -192,6 +192,7 @@ impl TrainConfig {
             sh_degree: shape.sh_degree,
             material: shape.material,
             extra: shape.extra,
+            slope: shape.slope,
             color_grid: shape.color_grid,
             transmittance_grid: shape.transmittance_grid,
             color_mlp: shape.color_mlp,

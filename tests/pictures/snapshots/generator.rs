@@ -105,6 +105,7 @@ impl Recipe {
             transmittance_mlp: MlpConfig { hidden: vec![17] },
             step: 0.083,
             blur: 0.3,
+            slope: 0,
             occupancy: 0,
             antialiased: false,
             background: [0.129, 0.499, 0.601],

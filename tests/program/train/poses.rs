@@ -53,6 +53,7 @@ fn cameras_come_back_to_where_they_were() {
         &mut optimizer.opacity,
         &mut optimizer.material,
         &mut optimizer.extra,
+        &mut optimizer.slope,
         &mut optimizer.grids,
         &mut optimizer.networks,
     ] {

@@ -23,6 +23,9 @@ const DIAGONAL: f64 = 1.732_050_807_568_877_2;
 /// Most cells along a side of the occupancy grid.
 pub const MAX_OCCUPANCY: u32 = 256;
 
+/// Length of a Gaussian's slope where colors vary: red, green and blue along each of its axes.
+pub const SLOPE: u32 = 9;
+
 /// Whether a field is left out of the file.
 fn is_zero(value: &u32) -> bool {
     *value == 0
@@ -37,6 +40,10 @@ pub struct SceneConfig {
     pub material: u32,
     /// Length of each Gaussian's extra vector, 0 to [`MAX_VECTOR`].
     pub extra: u32,
+    /// Length of each Gaussian's slope: [`SLOPE`] where colors vary within a Gaussian, 0 where they do not. A file without this
+    /// field has 0, and no tensor of slopes.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub slope: u32,
     /// The hash grid of the color network.
     pub color_grid: GridConfig,
     /// The hash grid of the transmittance network.
@@ -169,6 +176,9 @@ impl SceneConfig {
             if length > MAX_VECTOR {
                 return bad_config(field, format!("is {length}, expected 0 to {MAX_VECTOR}"));
             }
+        }
+        if self.slope != 0 && self.slope != SLOPE {
+            return bad_config("slope", format!("is {}, expected 0 or {SLOPE}", self.slope));
         }
         self.color_grid.check("color_grid")?;
         self.transmittance_grid.check("transmittance_grid")?;
@@ -310,6 +320,7 @@ mod tests {
         for (field, value, config) in [
             ("contraction", "\"cube\"", SceneConfig { contraction: Contraction::Cube, ..basic() }),
             ("antialiased", "true", SceneConfig { antialiased: true, ..basic() }),
+            ("slope", "9", SceneConfig { slope: SLOPE, ..basic() }),
             ("placement", "{", SceneConfig { placement, ..basic() }),
             ("trained_on", "{", SceneConfig { trained_on: Some(TrainedOn::default()), ..basic() }),
         ] {
@@ -332,10 +343,11 @@ mod tests {
     #[test]
     fn each_field_is_held_to_its_range() {
         type Change = fn(&mut SceneConfig);
-        let changes: [(&str, Change); 21] = [
+        let changes: [(&str, Change); 22] = [
             ("sh_degree", |config| config.sh_degree = 8),
             ("material", |config| config.material = 257),
             ("occupancy", |config| config.occupancy = MAX_OCCUPANCY + 1),
+            ("slope", |config| config.slope = SLOPE - 1),
             ("extra", |config| config.extra = u32::MAX),
             ("color_grid.levels", |config| config.color_grid.levels = 0),
             ("transmittance_grid.growth", |config| config.transmittance_grid.growth = 0.5),

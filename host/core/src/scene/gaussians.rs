@@ -28,6 +28,8 @@ macro_rules! gaussian_tensors {
             material: [material], "config field `material` values for each Gaussian", [2e-2, 2e-2];
             /// Extra vectors, `[N, extra]`, row-major.
             extra: [extra], "config field `extra` values for each Gaussian", [2e-2, 2e-2];
+            /// How much colors grow per standard deviation, `[N, slope]`: red, green and blue along each axis.
+            slope: [slope], "config field `slope` values for each Gaussian", [5e-3, 5e-3];
         }
     };
 }

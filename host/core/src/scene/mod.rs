@@ -18,7 +18,7 @@ mod tests;
 
 pub use config::{
     COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_OCCUPANCY, MAX_SAMPLES,
-    MAX_SH_DEGREE, MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
+    MAX_SH_DEGREE, MAX_VECTOR, MlpConfig, SLOPE, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
 pub use file::scene_metadata;
 pub use gaussians::{GaussianTensors, Gaussians, logit};
@@ -115,10 +115,10 @@ impl Scene {
 
     /// Every tensor in the scene's file with its values, row-major, in the order of [`SceneConfig::tensors`].
     pub fn tensors(&self) -> Vec<(TensorSpec, &[f32])> {
-        let specs = self.config.tensors(self.gaussians.len());
+        let specs = self.config.all_tensors(self.gaussians.len());
         let fields = [&self.color, &self.transmittance].into_iter().flat_map(Field::tensors);
         let values = self.gaussians.tensors().into_vec().into_iter().chain(fields);
-        specs.into_iter().zip(values).collect()
+        specs.into_iter().zip(values).filter(|(spec, _)| spec.is_in_scene()).collect()
     }
 
     /// Like [`Self::tensors`], with `prefix` before each name: for a file that is not a scene.
@@ -130,11 +130,11 @@ impl Scene {
 
     /// Like [`Self::tensors`], but mutable.
     pub fn tensors_mut(&mut self) -> Vec<(TensorSpec, &mut [f32])> {
-        let specs = self.config.tensors(self.gaussians.len());
+        let specs = self.config.all_tensors(self.gaussians.len());
         let fields =
             [&mut self.color, &mut self.transmittance].into_iter().flat_map(Field::tensors_mut);
         let values = self.gaussians.tensors_mut().into_vec().into_iter().chain(fields);
-        specs.into_iter().zip(values).collect()
+        specs.into_iter().zip(values).filter(|(spec, _)| spec.is_in_scene()).collect()
     }
 }
 

@@ -19,4 +19,9 @@ impl TensorSpec {
     pub fn values(&self) -> usize {
         self.shape.iter().fold(1, |values, &size| values.saturating_mul(size))
     }
+
+    /// Whether a scene has the tensor: scenes whose colors do not vary have no slopes, not even empty ones.
+    pub(super) fn is_in_scene(&self) -> bool {
+        self.name != "gaussians.slope" || self.shape[1] > 0
+    }
 }

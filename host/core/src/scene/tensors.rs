@@ -161,6 +161,13 @@ impl SceneConfig {
     /// Every tensor of a scene file with this configuration and `gaussians` Gaussians, in the order of
     /// [`Scene::tensors`](super::Scene::tensors).
     pub fn tensors(&self, gaussians: usize) -> Vec<TensorSpec> {
+        let mut specs = self.all_tensors(gaussians);
+        specs.retain(TensorSpec::is_in_scene);
+        specs
+    }
+
+    /// [`Self::tensors`], and those that a scene with this configuration does not have.
+    pub(super) fn all_tensors(&self, gaussians: usize) -> Vec<TensorSpec> {
         let mut specs = self.gaussian_specs(gaussians).into_vec();
         specs.extend(self.fields().iter().flat_map(FieldSpec::tensors));
         specs

@@ -16,6 +16,8 @@ pub struct Splat<N> {
     pub conic: [N; 3],
     /// c
     pub color: [N; 3],
+    /// How c grows along x and y (Eq. 17), if it does.
+    pub growth: Option<[[N; 3]; 2]>,
 }
 
 /// `opacity T`, from the opacity's logit: alpha without the falloff.
@@ -49,7 +51,13 @@ impl<N: Number> Splat<N> {
     pub fn from_vectors(vectors: &[Vec4; 3]) -> Self {
         let numbers = vectors.map(|vector| vector.to_array().map(|x| N::from(x.into())));
         let [[x, y, weight, _], [xx, xy, yy, _], [r, g, b, _]] = numbers;
-        Self { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] }
+        Self { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b], growth: None }
+    }
+
+    /// The same, with a color that grows as the kernels have it.
+    pub fn growing(self, vectors: &[Vec4]) -> Self {
+        let growth = [0, 1].map(|at| vectors[at].truncate().to_array().map(|x| N::from(x.into())));
+        Self { growth: Some(growth), ..self }
     }
 
     /// `q = d^T cov2d^-1 d`, d from the center to a place of the image.
@@ -62,7 +70,12 @@ impl<N: Number> Splat<N> {
     /// `alpha c` and alpha at the center of a pixel.
     pub fn term(&self, place: [f64; 2]) -> [N; 4] {
         let alpha = self.weight * falloff(self.q(place));
-        let [r, g, b] = self.color.map(|c| alpha * c);
+        let [dx, dy] = [0, 1].map(|axis| N::from(place[axis]) - self.mean[axis]);
+        let color = match self.growth {
+            Some([x, y]) => std::array::from_fn(|c| self.color[c] + y[c] * dy + x[c] * dx),
+            None => self.color,
+        };
+        let [r, g, b] = color.map(|c| alpha * c);
         [r, g, b, alpha]
     }
 }

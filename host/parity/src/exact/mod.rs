@@ -15,6 +15,7 @@ pub mod occupancy;
 pub mod project;
 pub mod resolve;
 pub mod segment;
+pub mod slope;
 pub mod spherical_harmonics;
 pub mod ssim;
 pub mod tile;

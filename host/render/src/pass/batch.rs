@@ -15,8 +15,6 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::Vec4;
-
 use super::capacity::BatchKind;
 use super::output::Output;
 use super::part::Part;
@@ -25,6 +23,7 @@ use crate::gradient::SceneGradient;
 use crate::gradient::ranks::{self, Rows};
 use crate::loss::compare::LossSource;
 use crate::scene::device_scene::DeviceScene;
+use crate::stages::composite::PairGradients;
 use crate::stages::counts::{Capacity, NO_COUNTS, PartCounts};
 use crate::stages::cut::{Limits, PartTiles, by_camera, cut};
 use muslin_device::{Buffer, Count, Device};
@@ -80,7 +79,7 @@ pub struct BatchPart {
     /// dL/dY `[tiles, 3, S, S]`
     d_tiles: Option<Buffer<f32>>,
     /// `[pairs, 3]`, of a part that is kept.
-    d_splats: Option<Buffer<Vec4>>,
+    d_pairs: Option<PairGradients>,
 }
 
 impl Parts {
@@ -113,14 +112,14 @@ impl BatchPart {
             part: None,
             is_kept: false,
             d_tiles: None,
-            d_splats: None,
+            d_pairs: None,
         }
     }
 
     fn release(&mut self) {
         self.part = None;
         self.is_kept = false;
-        self.d_splats = None;
+        self.d_pairs = None;
     }
 
     /// After the part was read: keeps it if there is room, and releases it otherwise.
@@ -348,14 +347,14 @@ impl<'a> Pass<'a> {
             let is_queued = self.queued.is_some();
             let d_tiles =
                 loss.backward(device, &at.part_tiles, &part.bins, is_queued, image, into)?;
-            let d_splats = device.run_in_pool(|| {
+            let d_pairs = device.run_in_pool(|| {
                 let context = part.context(self.scene);
-                let d_splats = part.composite.backward(context, &d_tiles)?;
-                part.raise_bounds(self.scene, &d_splats, into)?;
-                Ok::<_, Error>(d_splats)
+                let d_pairs = part.composite.backward(context, &d_tiles)?;
+                part.raise_bounds(self.scene, &d_pairs.splat, into)?;
+                Ok::<_, Error>(d_pairs)
             })?;
             at.d_tiles = Some(d_tiles);
-            at.d_splats = Some(d_splats);
+            at.d_pairs = Some(d_pairs);
             if !is_alone {
                 let Some((words, _)) = self.read(at, loss.buffers())? else { continue };
                 loss.take(&at.part_tiles, &words);
@@ -388,14 +387,14 @@ impl<'a> Pass<'a> {
             self.evaluate(at, true)?;
             let part = at.part.as_ref().expect("it was evaluated");
             device.run_in_pool(|| {
-                let d_splats = match at.d_splats.take() {
-                    Some(d_splats) => d_splats,
+                let d_pairs = match at.d_pairs.take() {
+                    Some(d_pairs) => d_pairs,
                     None => {
                         let d_tiles = at.d_tiles.as_ref().expect("`backward_to_splats` has set it");
                         part.composite.backward(part.context(self.scene), d_tiles)?
                     }
                 };
-                part.backward(self.scene, &d_splats, into, rows.as_mut(), continues)
+                part.backward(self.scene, &d_pairs, into, rows.as_mut(), continues)
             })?;
             at.d_tiles = None;
             if !(is_alone || parts.stays && at.is_kept) {

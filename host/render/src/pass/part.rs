@@ -8,7 +8,7 @@ use crate::gradient::SceneGradient;
 use crate::gradient::ranks::Rows;
 use crate::scene::device_scene::DeviceScene;
 use crate::stages::color::Color;
-use crate::stages::composite::{Composite, OtherScene, TileContext};
+use crate::stages::composite::{Composite, OtherScene, PairGradients, TileContext};
 use crate::stages::counts::{Capacity, PartCounts};
 use crate::stages::cut::PartTiles;
 use crate::stages::project::{pose_backward, project, project_backward};
@@ -114,12 +114,12 @@ impl Part {
         Ok(())
     }
 
-    /// Adds the gradients of all tensors, given `d_splats [pairs, 3]`, after the scale of the hash grids' sums is set. With
+    /// Adds the gradients of all tensors, given those of the pairs, after the scale of the hash grids' sums is set. With
     /// `rows`, takes the Gaussians' gradients view batch by view batch. `continues`: the last view batch continues in the next part.
     pub fn backward(
         &self,
         scene: &DeviceScene,
-        d_splats: &Buffer<Vec4>,
+        PairGradients { splat: d_splats, slope }: &PairGradients,
         gradient: &SceneGradient,
         rows: Option<&mut Rows<'_>>,
         continues: bool,
@@ -130,11 +130,13 @@ impl Part {
         }
         let tensors = &gradient.tensors().gaussians;
         let color = self.color.backward(scene, &self.bins, d_splats, gradient)?;
-        let mut vectors = vec![(color, &tensors.material)];
-        if gradient.has_transmittance {
-            let found = self.transmittance.backward(scene, &self.bins, d_splats, gradient)?;
-            vectors.push((found, &tensors.extra));
-        }
+        let extra = match gradient.has_transmittance {
+            true => self.transmittance.backward(scene, &self.bins, d_splats, gradient)?,
+            false => None,
+        };
+        let vectors = [(color, &tensors.material), (extra, &tensors.extra)];
+        let vectors = vectors.iter().map(|(found, tensor)| (found.as_ref(), *tensor));
+        let vectors: Vec<_> = vectors.chain([(slope.as_ref(), &tensors.slope)]).collect();
         let add = |cameras: Range<u32>| -> Result<()> {
             project_backward(scene, pairs, pair_mask, d_splats, gradient, &cameras)?;
             for (found, tensor) in &vectors {

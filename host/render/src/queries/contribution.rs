@@ -184,7 +184,7 @@ impl Renderer {
         let red = device.upload("red of the pixels", &red(camera, part_tiles))?;
         let part = Part::evaluate(scene, from_ref(camera), part_tiles, false, None)?;
         let context = part.context(scene);
-        let gradient = device.run_in_pool(|| part.composite.backward(context, &red))?;
+        let gradient = device.run_in_pool(|| part.composite.backward(context, &red))?.splat;
         let splats = PartSplats::read(device, &part)?;
         let gradient = device.read(&gradient)?;
         // a pair's third vector has the gradient of its color

@@ -1,12 +1,13 @@
 //! The results of single stages: each stage for every Gaussian, or all stages for one pixel.
 
-use glam::{Vec2, Vec4};
+use glam::{Vec2, Vec3, Vec4};
 use organza_shaders::composite::{alpha, splat_distance};
 use organza_shaders::project::{EVERYWHERE, falloff, in_support};
 use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
 use serde::Serialize;
 
+use super::pixel_gaussians::color_at;
 use crate::pass::part::Part;
 use crate::stages::color::Color;
 use crate::stages::pairs::Pairs;
@@ -248,6 +249,7 @@ fn contributions(scene: &DeviceScene, part: &Part, pixel: [i32; 2]) -> Result<Ve
     let color = device.read(&part.color.color)?;
     let (color, _) = color.as_chunks::<3>();
     let splat = device.read(&part.composite.splat)?;
+    let slope = part.composite.read_slopes(device)?;
     let opacity = device.read(&scene.tensors.gaussians.opacity)?;
     let center = KernelTile { camera: 0, origin: pixel, output: 0 }.pixel_center(0, 0);
 
@@ -256,8 +258,9 @@ fn contributions(scene: &DeviceScene, part: &Part, pixel: [i32; 2]) -> Result<Ve
     for intersection in device.read(&part.bins.intersection)? {
         let index = intersection as usize;
         let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
-        let color = color[index];
         let d = center - Vec2::new(placed.x, placed.y);
+        let at_center = Vec3::from(color[index]).extend(0.0);
+        let color = color_at(at_center, slope.get(index), d).truncate().to_array();
         let q = splat_distance(placed, conic, center.x, center.y);
         let reached = in_support(q);
         let alpha = if reached { alpha(placed, q) } else { 0.0 };

@@ -1,6 +1,6 @@
 //! The Gaussians of single pixels, as the host sees them.
 
-use glam::Vec4;
+use glam::{Vec2, Vec4};
 use organza_shaders::composite::{alpha, splat_distance};
 use organza_shaders::project::in_support;
 use organza_shaders::splat::VECTORS;
@@ -32,6 +32,7 @@ pub struct PartSplats {
     first: Vec<u32>,
     intersection: Vec<u32>,
     splat: Vec<Vec4>,
+    slope: Vec<[Vec4; 2]>,
 }
 
 impl PartSplats {
@@ -41,6 +42,7 @@ impl PartSplats {
             first: device.read(&part.bins.tile_first)?,
             intersection: device.read(&part.bins.intersection)?,
             splat: device.read(&part.composite.splat)?,
+            slope: part.composite.read_slopes(device)?,
         })
     }
 
@@ -68,7 +70,10 @@ impl PartSplats {
             let q = splat_distance(self.splat[at], self.splat[at + 1], center.x, center.y);
             let gaussian = self.pair[pair as usize] as usize;
             let [weight, falloff] = [self.splat[at], Vec4::ONE].map(|splat| alpha(splat, q).into());
-            let color = self.splat[at + 2].truncate().to_array().map(f64::from);
+            let placed = self.splat[at];
+            let apart = center - Vec2::new(placed.x, placed.y);
+            let color = color_at(self.splat[at + 2], self.slope.get(pair as usize), apart);
+            let color = color.truncate().to_array().map(f64::from);
             let depth = || depth(gaussian);
             in_support(q).then(|| PixelGaussian {
                 gaussian,
@@ -80,6 +85,11 @@ impl PartSplats {
         };
         self.intersection[range].iter().filter_map(reaching).collect()
     }
+}
+
+/// The color of a pair at a distance from its center, in pixels.
+pub fn color_at(color: Vec4, slope: Option<&[Vec4; 2]>, apart: Vec2) -> Vec4 {
+    slope.map_or(color, |[along_x, along_y]| color + *along_x * apart.x + *along_y * apart.y)
 }
 
 /// The depth of a pixel's surface, and S, the sum of the weights. The surface is the median: Gaussians with half of the weight

@@ -215,7 +215,7 @@ impl TrainConfig {
             other => other.to_string(),
         })?;
         let gaussians = self.start.gaussians;
-        let widest = self.scene.material.max(self.scene.extra).max(4);
+        let widest = self.scene.material.max(self.scene.extra).max(self.scene.slope).max(4);
         let max = ((1 << 31) - 1) / widest;
         within("start.gaussians", gaussians, 1..=max)
     }

@@ -244,6 +244,10 @@ macro_rules! define {
                 material: u32 = 8;
                 /// Length of a Gaussian's extra vector.
                 extra: u32 = 2;
+                /// Length of a Gaussian's slope: 9 lets its color vary from one side to the other, with 0 it is the same
+                /// everywhere.
+                #[see("pipeline.md#colors-that-vary-within-a-gaussian")]
+                slope: u32 = 9;
                 /// sigma, length of a transmittance step in the unit cube.
                 step: f64 = 0.05;
                 /// Cells along a side of the unit cube in which a Gaussian must be, or a ray loses no light there: 0 to 256.

@@ -154,8 +154,8 @@ impl TrainConfig {
         }
     }
 
-    /// Chooses the numbers of steps and of Gaussians, if they are open.
-    pub(crate) fn choose(&mut self, dataset: &Dataset, device: &Device) {
+    /// Of what [`resolve`](Self::resolve) sets, the numbers of steps and of Gaussians: a trainer without a file needs no more.
+    pub(crate) fn resolve_sizes(&mut self, dataset: &Dataset, device: &Device) {
         let pixels = pixels(dataset);
         self.run.steps = self.run.steps_for(pixels, device.is_cpu_like());
         self.densification.max_gaussians = self.gaussians_for(pixels, device.is_cpu_like());
@@ -182,7 +182,7 @@ impl TrainConfig {
             self.data.background = Background::Color(dataset.background.map(|value| value as f32));
         }
         self.exposure.learn = self.exposure.learn.decide(dataset).into();
-        self.choose(dataset, device);
+        self.resolve_sizes(dataset, device);
     }
 
     /// The configuration of a run's scene.

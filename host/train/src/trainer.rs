@@ -94,7 +94,7 @@ impl Trainer {
         dataset: impl Into<Arc<Dataset>>,
     ) -> Result<Self> {
         let dataset = dataset.into();
-        config.choose(&dataset, renderer.device());
+        config.resolve_sizes(&dataset, renderer.device());
         let (scene, _) = first_scene(&config, &dataset)?;
         let checkpoint = Checkpoint::begin(scene, &config)?;
         Self::resume(renderer, config, dataset, &checkpoint)
@@ -112,7 +112,7 @@ impl Trainer {
     ) -> Result<Self> {
         let dataset = dataset.into();
         check(&config, &dataset)?;
-        config.choose(&dataset, renderer.device());
+        config.resolve_sizes(&dataset, renderer.device());
         if checkpoint.scene.config.placement != dataset.placement {
             let reason = "the scene has other coordinates than the data set: read the data set with \
                           `DatasetOptions::placement` and the scene's `config.placement`";

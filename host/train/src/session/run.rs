@@ -38,7 +38,7 @@ impl Session<'_> {
         own: Option<&mut OwnLoss<'_>>,
     ) -> Result<Outcome> {
         let mut config = self.config.clone();
-        config.choose(self.dataset, self.renderer.device());
+        config.resolve_sizes(self.dataset, self.renderer.device());
         let command = self.command.clone();
         let session = Session { config: &config, command, ranks: self.ranks.clone(), ..*self };
         let outcome = session.run_alone_or_first(resume, watch, own);

@@ -381,3 +381,63 @@ fn floaters_are_in_front_of_surfaces_and_not_needed() {
         close(found.pixels(1), 240.0 * 0.5 / 1.6);
     }
 }
+
+/// A floater in front makes another one the surface: the second look is without the first. And the trial is of what photographs are
+/// closer without: the more suspicious floater leaves first, which acquits the other.
+#[test]
+fn floaters_hide_and_accuse_others() {
+    // depths, weights, grays; what each look is at, and what is found
+    let hidden: &[[f64; 3]] = &[[4.0, 0.9, 0.5], [1.0, 0.9, 0.5], [2.0, 0.5, 0.5]];
+    let accused: &[[f64; 3]] =
+        &[[4.0, 0.6, 0.5], [0.5, 0.3, 0.5], [1.0, 0.24, 0.9], [2.0, 0.05, 0.6]];
+    let cases: [(_, &[&[usize]], &[usize]); 2] =
+        [(hidden, &[&[0, 2]], &[1, 2]), (accused, &[&[0, 1, 2, 3], &[0, 1, 3]], &[2])];
+    for (backend, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        for (gaussians, looks, floaters) in cases {
+            let (scene, camera) = grays(gaussians);
+            let mut found = Contributions::new(gaussians.len());
+            let look = |chosen: &[usize], found: &mut Contributions| {
+                let scene = Scene { gaussians: scene.gaussians.select(chosen), ..scene.clone() };
+                let scene = renderer.upload(&scene).unwrap();
+                let gray = |_| Some([0.5; 3]);
+                renderer.add_contributions(&scene, &camera, Some(&gray), found).unwrap();
+            };
+            let all: Vec<_> = (0..gaussians.len()).collect();
+            look(&all, &mut found);
+            for expected in looks {
+                assert_eq!(found.next_look().as_deref(), Some(*expected), "{backend}");
+                look(expected, &mut found);
+            }
+            assert_eq!(found.next_look(), None, "{backend}");
+            let found = found.floaters(0.3);
+            let found: Vec<_> = all.into_iter().filter(|&i| found[i]).collect();
+            assert_eq!(found, floaters, "{backend}");
+        }
+    }
+}
+
+/// Gaussians that fill the view of the first camera of [`corridor`], before white: depths, weights and grays.
+fn grays(gaussians: &[[f64; 3]]) -> (Scene, Camera) {
+    let (corridor, [camera, _]) = corridor();
+    let mut scene =
+        Scene { gaussians: corridor.gaussians.select(&vec![0; gaussians.len()]), ..corridor };
+    scene.config.background = [1.0; 3];
+    // the first unit of each layer passes on a logit from the material, behind four harmonics and four features
+    let [first, second, last] = &mut scene.color.network.layers[..] else {
+        panic!("two hidden layers")
+    };
+    first.weight[8] = 1.0;
+    first.bias[0] = 8.0;
+    second.weight[0] = 1.0;
+    (0..3).for_each(|channel| last.weight[channel * last.inputs] = 1.0);
+    last.bias.fill(-8.0);
+    let material = scene.config.material as usize;
+    let logit = |x: f64| (x / (1.0 - x)).ln() as f32;
+    for (i, &[depth, weight, gray]) in gaussians.iter().enumerate() {
+        scene.gaussians.position[i] = [0.0, 0.0, depth as f32];
+        scene.gaussians.opacity[i] = logit(weight);
+        scene.gaussians.material[i * material] = logit(gray);
+    }
+    (scene, camera)
+}

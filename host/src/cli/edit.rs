@@ -30,8 +30,8 @@ Examples:
   organza edit scene.safetensors data/fox -o small.safetensors --min-contribution=0.5
   organza edit run -o in-meters.safetensors --scale 0.2       a unit of the data set is 20 cm
 
-The rules apply in this order: box, contribution, floaters. Contribution and floaters are measured once, in the scene \
-that the box has left. \
+The rules apply in this order: box, contribution, floaters. Contribution and floaters are measured in the scene that \
+the box has left. \
 The result is a scene's file, for every command that takes a scene.";
 
 /// Remove Gaussians from a scene: crop it, clean it, make it smaller; or give it a scale
@@ -123,7 +123,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         let mut views = args.views(&source, console)?;
         let renderer = args.device.open(console)?;
         let before = renderer.upload(&scene)?;
-        let found = args.contributions(&before, &mut views, &renderer, console)?;
+        let mut found = Contributions::new(before.len());
+        args.look(&before, &mut views, &renderer, &mut found, console)?;
+        while let Some(gaussians) = args.clean.filter(|s| *s > 0.0).and_then(|_| found.next_look())
+        {
+            let scene = Scene { gaussians: scene.gaussians.select(&gaussians), ..scene.clone() };
+            args.look(&renderer.upload(&scene)?, &mut views, &renderer, &mut found, console)?;
+        }
         args.by_contribution(&mut scene, &found, &mut removed)?;
         let scenes = [&before, &renderer.upload(&scene)?];
         held_out = views.compare(scenes, &renderer, console)?;
@@ -179,27 +185,31 @@ impl Args {
         Ok(Views { poses, photographs, split: self.data_args.split(Split::All) })
     }
 
-    /// What Gaussians contribute to the views.
-    fn contributions(
+    /// Adds what Gaussians contribute to the views.
+    fn look(
         &self,
         scene: &DeviceScene,
         views: &mut Views,
         renderer: &Renderer,
+        found: &mut Contributions,
         console: Console,
-    ) -> Result<Contributions> {
-        let mut found = Contributions::new(scene.len());
+    ) -> Result<()> {
         let Views { poses, photographs, split } = views;
         let chosen = poses.iter().enumerate().filter(|(_, pose)| split.takes(pose.held_out));
         let chosen: Vec<_> = chosen.collect();
-        let bar = console.progress("measuring what Gaussians contribute", chosen.len(), "views");
+        let what = match found.looks() {
+            1 => "measuring what Gaussians contribute",
+            _ => "looking for floaters again",
+        };
+        let bar = console.progress(what, chosen.len(), "views");
         for view in chosen {
             match self.clean {
-                Some(_) => photographs.add_contributions(renderer, scene, view, &mut found)?,
-                None => renderer.add_contributions(scene, &view.1.camera, None, &mut found)?,
+                Some(_) => photographs.add_contributions(renderer, scene, view, found)?,
+                None => renderer.add_contributions(scene, &view.1.camera, None, found)?,
             }
             bar.advance(1);
         }
-        Ok(found)
+        Ok(())
     }
 
     /// The rules for which views are rendered.

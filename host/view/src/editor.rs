@@ -102,7 +102,7 @@ struct Answer {
 /// What [`EditRequest::Clean`] hides.
 #[derive(Debug, Default, Serialize)]
 struct Clean {
-    /// Views that were looked at, of this many.
+    /// Views that were looked at, of this many: those of each look.
     seen: usize,
     views: usize,
     /// Hidden Gaussians, and their share of the views' pixels.
@@ -118,6 +118,7 @@ struct Measured {
     /// `None` after the last view.
     scene: Option<DeviceScene>,
     found: Contributions,
+    /// Views of all looks.
     seen: usize,
 }
 
@@ -305,17 +306,23 @@ impl Editor {
             Some(measured) if measured.gaussians == whole => measured,
             _ => self.unmeasured(stage, whole)?,
         };
-        let view = measured.seen;
-        if let (Some(scene), Some(pose)) = (&measured.scene, self.poses.get(view)) {
-            let found = &mut measured.found;
-            photographs.add_contributions(stage.renderer, scene, (view, pose), found)?;
+        if let Some(scene) = &measured.scene {
+            let view = measured.seen % self.poses.len();
+            let pose = (view, &self.poses[view]);
+            photographs.add_contributions(stage.renderer, scene, pose, &mut measured.found)?;
             measured.seen += 1;
+            if view + 1 == self.poses.len() {
+                let next = measured.found.next_look();
+                let next =
+                    next.map(|next| next.into_iter().map(|i| measured.gaussians[i]).collect());
+                measured.scene =
+                    next.map(|next: Vec<_>| self.uploaded(stage, &next)).transpose()?;
+            }
         }
-        let Measured { gaussians, scene, found, seen } = self.measured.insert(measured);
-        if *seen < self.poses.len() {
+        let Measured { gaussians, scene, found, .. } = self.measured.insert(measured);
+        if scene.is_some() {
             return Ok(());
         }
-        *scene = None;
         let [removed, left] = parted(gaussians, &found.floaters(strength));
         if left.is_empty() {
             return refuse("nothing would be left".to_owned());
@@ -333,9 +340,15 @@ impl Editor {
 
     /// The scene of these Gaussians, of which no view was looked at.
     fn unmeasured(&self, stage: Stage<'_>, gaussians: Vec<usize>) -> Result<Measured> {
-        let scene = Scene { gaussians: self.all.select(&gaussians), ..self.scene.clone() };
-        let scene = Some(stage.renderer.upload(&scene)?);
-        Ok(Measured { found: Contributions::new(gaussians.len()), gaussians, scene, seen: 0 })
+        let scene = Some(self.uploaded(stage, &gaussians)?);
+        let found = Contributions::new(gaussians.len());
+        Ok(Measured { found, gaussians, scene, seen: 0 })
+    }
+
+    /// The scene of some Gaussians.
+    fn uploaded(&self, stage: Stage<'_>, gaussians: &[usize]) -> Result<DeviceScene> {
+        let gaussians = self.all.select(gaussians);
+        stage.renderer.upload(&Scene { gaussians, ..self.scene.clone() })
     }
 
     /// What is hidden, and how far that is known.
@@ -346,6 +359,7 @@ impl Editor {
         let hidden = hidden.map(Vec::as_slice).unwrap_or_default();
         let places = hidden.iter().filter_map(|i| measured.gaussians.binary_search(i).ok());
         let weight = measured.found.weight(places);
+        let views = views * measured.found.looks();
         Clean { seen: measured.seen, views, hidden: hidden.len(), weight }
     }
 

@@ -1,11 +1,10 @@
 //! Renderers, and scenes on their devices.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 
-use numpy::{IntoPyArray, PyArray4, PyArrayMethods};
-use organza::render::SceneGradient;
-use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles};
+use numpy::PyArray4;
+use organza::{BackendChoice, Channel, DeviceOptions};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -13,7 +12,7 @@ use crate::cameras::{Cameras, Tiles};
 use crate::error::{invalid, raise};
 use crate::job;
 use crate::scene::{Scene, array};
-use crate::tape::Tape;
+use crate::tape::{SceneOnDevice, Tape, into_batch, lock};
 
 /// Renders on a device.
 #[pyclass(frozen, subclass, module = "organza._organza")]
@@ -172,31 +171,4 @@ fn channels_of(names: &[String]) -> PyResult<Vec<Channel>> {
         })
     };
     names.iter().map(channel).collect()
-}
-
-/// A scene on a device, with data that belongs to it.
-pub struct SceneOnDevice {
-    pub scene: organza::DeviceScene,
-    /// Created by the first backward pass.
-    pub gradient: Option<SceneGradient>,
-}
-
-/// Locks, also after a panic.
-pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Tiles `[K, 3, S, S]` as an array, and their channels by name.
-pub fn into_batch(
-    py: Python<'_>,
-    tiles: RenderedTiles,
-) -> PyResult<(Bound<'_, PyArray4<f32>>, Bound<'_, PyDict>)> {
-    let count = tiles.count;
-    let side = tiles.side as usize;
-    let channels = PyDict::new(py);
-    for (channel, values) in tiles.channels {
-        let shape = [count, channel.planes(), side, side];
-        channels.set_item(channel.name(), values.into_pyarray(py).reshape(shape)?)?;
-    }
-    Ok((tiles.data.into_pyarray(py).reshape([count, 3, side, side])?, channels))
 }

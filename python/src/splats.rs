@@ -14,8 +14,9 @@ use crate::cameras::Cameras;
 use crate::data::Dataset;
 use crate::error::{invalid, raise};
 use crate::job;
-use crate::renderer::{DeviceScene, Renderer, lock};
+use crate::renderer::{DeviceScene, Renderer};
 use crate::scene::Scene;
+use crate::tape::lock;
 
 /// Writes a scene as Gaussians. `uploaded` is the scene on the renderer's device.
 #[pyfunction]

@@ -1,18 +1,25 @@
 //! Recorded batches, and their gradients.
 
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use numpy::{
     IntoPyArray, PyArray2, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods,
 };
+use organza::RenderedTiles;
 use organza::render::{POSE, SceneGradient};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::invalid;
 use crate::job;
-use crate::renderer::{SceneOnDevice, into_batch, lock};
 use crate::scene::into_arrays;
+
+/// A scene on a device, with data that belongs to it.
+pub struct SceneOnDevice {
+    pub scene: organza::DeviceScene,
+    /// Created by the first backward pass.
+    pub gradient: Option<SceneGradient>,
+}
 
 /// A rendered batch that keeps what its gradient needs: `Renderer.record` makes one.
 #[pyclass(frozen, weakref, module = "organza")]
@@ -122,4 +129,24 @@ impl Tape {
         }
         Ok(grad_tiles.as_slice()?.to_vec())
     }
+}
+
+/// Locks, also after a panic.
+pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Tiles `[K, 3, S, S]` as an array, and their channels by name.
+pub fn into_batch(
+    py: Python<'_>,
+    tiles: RenderedTiles,
+) -> PyResult<(Bound<'_, PyArray4<f32>>, Bound<'_, PyDict>)> {
+    let count = tiles.count;
+    let side = tiles.side as usize;
+    let channels = PyDict::new(py);
+    for (channel, values) in tiles.channels {
+        let shape = [count, channel.planes(), side, side];
+        channels.set_item(channel.name(), values.into_pyarray(py).reshape(shape)?)?;
+    }
+    Ok((tiles.data.into_pyarray(py).reshape([count, 3, side, side])?, channels))
 }

@@ -28,7 +28,7 @@ const SEARCH: u32 = u32::BITS;
 /// last block the biases), windows of as many samples as a slice has along z.
 ///
 /// The samples of each camera are cut into slices of the same length, from the camera's first sample on; the last one may
-/// be shorter. A slice is summed in f32, and slices [exactly](binned): neither depends on what else is in the part. An
+/// be shorter. A slice is summed in f32, and slices [exactly](muslin::binned): neither depends on what else is in the part. An
 /// invocation goes through the slices that begin in its window; the first one also goes on with a slice of the chunk
 /// before.
 ///

@@ -133,12 +133,13 @@ fn planted_floaters_go() {
     let all = plant_floaters(&sandbox);
     let old = all.len() - FLOATERS;
     let psnr = |scene: &str| {
-        let words = format!("eval {scene}.safetensors demo --backend cpu --json");
+        let words = format!("eval {scene}.safetensors demo --downscale 2 --backend cpu --json");
         sandbox.run(&words).json()["mean"]["psnr"].as_f64().expect("a number")
     };
     let before = psnr("planted");
-    for strength in ["0", "0.3", "0.6"] {
-        let words = format!("planted.safetensors demo --clean {strength} --split train");
+    for strength in ["0", "0.3", "0.5"] {
+        let words =
+            format!("planted.safetensors demo --downscale 2 --clean {strength} --split train");
         let (report, edited) = edit(&sandbox, &words);
         if strength == "0" {
             assert_eq!(edited.gaussians, all, "{report}");

@@ -5,6 +5,7 @@ use glam::{Vec3, Vec4};
 use crate::camera::{Camera, read3};
 use crate::limits::MAX_TILES;
 use crate::project::{Footprint, read_quaternion};
+use crate::splat::SplatBackwardParams;
 use muslin::prelude::*;
 
 /// Values of a Gaussian's slope: red, green and blue along each of its three axes.
@@ -85,23 +86,12 @@ pub fn slope(
     }
 }
 
-/// Parameters of [`slope_backward`].
-#[params]
-pub struct SlopeBackwardParams {
-    /// Pairs of the part.
-    pub pairs: u32,
-    /// Gaussians of the scene.
-    pub gaussians: u32,
-    /// Words of a tile's mask.
-    pub words: u32,
-}
-
 /// Sums `intersection_slope [intersections, 2]`, the gradient of the growth along x and y, over the tiles of a pair's camera, in
 /// ascending order. `slope_gradient [pairs, 9]` is the gradient of the Gaussian's slope. The axes are constants.
 #[kernel(threads(64), over(params.pairs), iterations = MAX_TILES, counts(pairs))]
 pub fn slope_backward(
     id: Invocation,
-    params: &SlopeBackwardParams,
+    params: &SplatBackwardParams,
     pair: Read<u32>,
     first_tile: Read<u32>,
     tile_mask: Read<u32>,

@@ -87,7 +87,7 @@ pub fn splat(
     }
 }
 
-/// Parameters of [`splat_backward`].
+/// Parameters of [`splat_backward`] and [`slope_backward`](crate::slope::slope_backward()).
 #[params]
 pub struct SplatBackwardParams {
     /// Pairs of the part.

@@ -2,8 +2,7 @@
 
 use muslin_check::prelude::*;
 use organza_shaders::slope::{
-    SLOPE_GRADIENT_VECTORS, SLOPE_VECTORS, SlopeBackwardInputs, SlopeBackwardParams, SlopeInputs,
-    SlopeParams, VALUES,
+    SLOPE_GRADIENT_VECTORS, SLOPE_VECTORS, SlopeBackwardInputs, SlopeInputs, SlopeParams, VALUES,
 };
 
 use super::exact::project::Projected;
@@ -73,11 +72,7 @@ impl SlopeBackward {
         let intersections = splats.intersection_gradient.len() / 3;
         let gradients = intersections * SLOPE_GRADIENT_VECTORS as usize;
         let inputs = SlopeBackwardInputs {
-            params: SlopeBackwardParams {
-                pairs: pairs as u32,
-                gaussians,
-                words: splats.params.words,
-            },
+            params: splats.params,
             pair: splats.pair.clone(),
             first_tile: splats.first_tile.clone(),
             tile_mask: splats.tile_mask.clone(),

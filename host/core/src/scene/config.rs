@@ -3,6 +3,7 @@
 use std::path::Path;
 
 pub use organza_shaders::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR};
+pub use organza_shaders::slope::VALUES as SLOPE;
 use serde::{Deserialize, Serialize};
 
 use super::grid::GridConfig;
@@ -22,9 +23,6 @@ const DIAGONAL: f64 = 1.732_050_807_568_877_2;
 
 /// Most cells along a side of the occupancy grid.
 pub const MAX_OCCUPANCY: u32 = 256;
-
-/// Length of a Gaussian's slope where colors vary: red, green and blue along each of its axes.
-pub const SLOPE: u32 = 9;
 
 /// Whether a field is left out of the file.
 fn is_zero(value: &u32) -> bool {

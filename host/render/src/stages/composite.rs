@@ -9,8 +9,7 @@ use organza_shaders::limits::MAX_INTERSECTIONS;
 use organza_shaders::pixels::{PixelsKernel, PixelsParams};
 use organza_shaders::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
 use organza_shaders::slope::{
-    SLOPE_GRADIENT_VECTORS, SLOPE_VECTORS, SlopeBackwardKernel, SlopeBackwardParams, SlopeKernel,
-    SlopeParams,
+    SLOPE_GRADIENT_VECTORS, SLOPE_VECTORS, SlopeBackwardKernel, SlopeKernel, SlopeParams,
 };
 use organza_shaders::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
@@ -134,12 +133,13 @@ impl Composite {
         let capacity = pairs.count.upper_bound();
         let pair_gradient =
             device.unwritten("gradient of the pairs", (capacity * VECTORS) as usize)?;
+        let params = SplatBackwardParams {
+            pairs: capacity,
+            gaussians: scene.gaussians,
+            words: words(scene.gaussians),
+        };
         let kernel = SplatBackwardKernel {
-            params: SplatBackwardParams {
-                pairs: capacity,
-                gaussians: scene.gaussians,
-                words: words(scene.gaussians),
-            },
+            params,
             pair: &pairs.pair,
             first_tile: &bins.first_tile,
             tile_mask: &bins.tile_mask.bits,
@@ -157,11 +157,7 @@ impl Composite {
         let slope_gradient =
             device.unwritten("gradient of the pairs' slopes", (capacity * width) as usize)?;
         let kernel = SlopeBackwardKernel {
-            params: SlopeBackwardParams {
-                pairs: capacity,
-                gaussians: scene.gaussians,
-                words: words(scene.gaussians),
-            },
+            params,
             pair: &pairs.pair,
             first_tile: &bins.first_tile,
             tile_mask: &bins.tile_mask.bits,

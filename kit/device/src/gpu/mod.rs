@@ -31,7 +31,6 @@ pub struct Gpu {
     info: wgpu::AdapterInfo,
     limits: wgpu::Limits,
     spirv: SpirvPath,
-    variants: Variants,
     pipelines: Pipelines,
     recorder: Mutex<Recorder>,
     memory: MemoryPool,
@@ -100,7 +99,7 @@ impl Gpu {
             recorder: Mutex::new(Recorder::new(&device, &memory)),
             memory,
             staging: Mutex::default(),
-            pipelines: Pipelines::new(spirv, variants.clone(), modules),
+            pipelines: Pipelines::new(spirv, variants, modules),
             is_software,
             memory_bytes,
             info,
@@ -108,7 +107,6 @@ impl Gpu {
             device,
             queue,
             spirv,
-            variants,
             failures: Arc::default(),
         }
     }
@@ -144,7 +142,7 @@ impl Gpu {
                 SpirvPath::Passthrough => "passed through",
                 SpirvPath::Naga => "through naga",
             },
-            self.variants.as_str()
+            self.pipelines.variants.as_str()
         )
     }
 
@@ -154,11 +152,11 @@ impl Gpu {
     }
 
     pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
-        self.variants.entry_point(kernel)
+        self.pipelines.variants.entry_point(kernel)
     }
 
     pub fn tiles(&self) -> &[[u32; 3]] {
-        self.variants.tiles()
+        self.pipelines.variants.tiles()
     }
 
     pub fn is_software(&self) -> bool {
@@ -332,7 +330,7 @@ impl Gpu {
     ) -> Result<()> {
         self.check()?;
         let pipeline = self.pipelines.get(&self.device, kernel)?;
-        let workgroups = self.variants.workgroups(kernel, workgroups);
+        let workgroups = self.pipelines.variants.workgroups(kernel, workgroups);
         let mut pending = Vec::new();
         for &(offset, count) in counts {
             let Some(&Total { ref counts, place, first }) = count.total() else { continue };

@@ -11,7 +11,7 @@ use crate::job::MAX_WORKGROUPS;
 use crate::{Error, Modules, Result, SpirvPath};
 
 /// Whether a device runs the variants of kernels.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Variants {
     wanted: bool,
     /// Whether the device has atomics of 64 bits.
@@ -82,7 +82,7 @@ type Key = (&'static str, &'static str);
 #[derive(Debug)]
 pub struct Pipelines {
     spirv: SpirvPath,
-    variants: Variants,
+    pub variants: Variants,
     modules: &'static Modules,
     made: Mutex<HashMap<Key, Arc<Pipeline>>>,
 }

@@ -23,9 +23,11 @@ const BLOCK: u32 = 1 << 17;
 const GROUP: u32 = 1 << 14;
 /// Samples of a chunk on a CPU. With gradients, a chunk has about 300 rows, which fit into the L2 cache.
 const CPU_CHUNK: u32 = 1 << 11;
-/// Smallest and largest number of samples of a chunk on a GPU. A chunk fills the GPU, and is larger if there are many samples, so that there
-/// are few dispatches.
+/// Smallest and largest number of samples of a chunk on a GPU. The largest fills any GPU, and there are few dispatches.
 const GPU_CHUNKS: [u32; 2] = [BLOCK, 1 << 20];
+/// Bytes of a chunk's widest table on a GPU that has to hold all samples: this many, or this share of its memory if that is more.
+const CHUNK_BYTES: u64 = 64 << 20;
+const CHUNK_SHARES: u64 = 64;
 /// Rows of the widest table of a chunk.
 const MAX_ROWS: u32 = if MAX_INPUTS > MAX_HIDDEN_WIDTH { MAX_INPUTS } else { MAX_HIDDEN_WIDTH };
 /// Samples of a slice on a GPU: a chunk has enough slices to fill it.
@@ -62,7 +64,10 @@ impl Layout {
     fn new(device: &Device, largest: u32) -> Self {
         let [max, slice] = match device.is_cpu_like() {
             true => [CPU_CHUNK, CPU_CHUNK],
-            false => [gpu_chunk(largest, device.max_buffer_bytes()), GPU_SLICE],
+            false => {
+                let share = device.memory_share(CHUNK_SHARES, CHUNK_BYTES);
+                [gpu_chunk(largest, device.max_buffer_bytes(), share), GPU_SLICE]
+            }
         };
         let chunk = largest.clamp(1, max).next_multiple_of(ALIGNED);
         // not a power of two: rows would share the sets of a cache
@@ -79,14 +84,16 @@ impl Layout {
     }
 }
 
-/// Largest number of samples of a chunk on a GPU: about an eighth of all, if its tables fit a binding.
-fn gpu_chunk(samples: u32, max_buffer_bytes: u64) -> u32 {
+/// Largest number of samples of a chunk on a GPU: all of them, if its tables fit a share of the memory, and about an eighth otherwise, if they fit
+/// a binding.
+fn gpu_chunk(samples: u32, max_buffer_bytes: u64, share: u64) -> u32 {
     let [min, max] = GPU_CHUNKS;
-    let row_bytes = max_buffer_bytes / u64::from(MAX_ROWS);
-    let fitting = (row_bytes / size_of::<f32>() as u64).min(max.into()) as u32;
-    let wanted = (samples / 8).next_power_of_two();
+    let row_bytes = u64::from(MAX_ROWS) * size_of::<f32>() as u64;
+    let samples_in = |bytes: u64| (bytes / row_bytes).min(u32::MAX.into()) as u32;
     // room for the distance between rows
-    wanted.min(fitting.saturating_sub(ALIGNED)).max(min) / ALIGNED * ALIGNED
+    let fitting = samples_in(max_buffer_bytes).saturating_sub(ALIGNED);
+    let wanted = samples.min(samples_in(share)).max(samples / 8).min(max).next_power_of_two();
+    wanted.min(fitting).max(min) / ALIGNED * ALIGNED
 }
 
 /// Memory of a block's samples.
@@ -265,15 +272,18 @@ mod tests {
     #[test]
     fn many_samples_are_few_chunks_on_a_card() {
         const CARD: u64 = (1 << 31) - 1;
-        for (samples, expected) in [(1, 1), (1 << 17, 1), (300_000, 3), (1 << 20, 8)] {
-            let chunks = u32::div_ceil(samples, gpu_chunk(samples, CARD));
-            assert_eq!(chunks, expected, "{samples}");
+        // of 80 GB, and one that does not tell its memory
+        for (share, all) in [(80 << 24, [1, 1, 1, 1]), (CHUNK_BYTES, [1, 1, 3, 8])] {
+            for (samples, expected) in [1, 1 << 17, 300_000, 1 << 20].into_iter().zip(all) {
+                let chunks = u32::div_ceil(samples, gpu_chunk(samples, CARD, share));
+                assert_eq!(chunks, expected, "{samples} with {share} bytes");
+            }
+            let chunks = u32::div_ceil(8_000_000, gpu_chunk(8_000_000, CARD, share));
+            assert!((8..=9).contains(&chunks), "{chunks}");
         }
-        let chunks = |samples: u32| samples.div_ceil(gpu_chunk(samples, CARD));
-        assert!((8..=9).contains(&chunks(8_000_000)), "{}", chunks(8_000_000));
         // a software device, and browsers
-        assert_eq!(gpu_chunk(8_000_000, 128 << 20), BLOCK);
-        let chunk = u64::from(gpu_chunk(8_000_000, 1 << 29));
+        assert_eq!(gpu_chunk(8_000_000, 128 << 20, CHUNK_BYTES), BLOCK);
+        let chunk = u64::from(gpu_chunk(8_000_000, 1 << 29, 80 << 24));
         assert!((chunk + u64::from(ALIGNED)) * u64::from(MAX_ROWS) * 4 <= 1 << 29, "{chunk}");
     }
 

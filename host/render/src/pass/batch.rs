@@ -46,8 +46,8 @@ pub struct Pass<'a> {
     pub cameras: &'a [Camera],
     /// The ranks that share the batch, if there are several.
     pub ranks: Option<&'a dyn Ranks>,
-    /// The counts of batches that the host does not wait for: see [`Pass::queue`].
-    pub queued: Option<&'a Arc<Buffer<u32>>>,
+    /// The counts of [queued](Pass::queue) batches, which the host does not wait for.
+    pub queue_counts: Option<&'a Arc<Buffer<u32>>>,
 }
 
 /// This rank's parts of a batch.
@@ -57,24 +57,21 @@ pub struct Parts {
     /// View batches of all ranks.
     views: usize,
     /// Pairs and samples that may still be kept.
-    room: u64,
-    /// Whether parts are kept after the backward pass, too: a [tape](super::tape::Tape) may run it again.
-    stays: bool,
+    keep_budget: u64,
+    /// Whether a [tape](super::tape::Tape) has the parts: it may run the backward pass again, so they are kept after it, too.
+    is_taped: bool,
 }
 
 /// A part of a batch.
 #[derive(Debug)]
 pub struct BatchPart {
     pub part_tiles: PartTiles,
-    /// What the part needs, once it is known.
-    needed: Option<Capacity>,
-    /// Whether a prediction was too small: the host then waits for the counts before it allocates.
-    waits: bool,
+    need: Need,
     /// Whether it is rendered for [`Pass::backward`].
     is_for_gradients: bool,
     /// The results of the stages; `None` before they run, and after they were released.
     part: Option<Part>,
-    /// Whether the part is counted in [`Parts::room`].
+    /// Whether the part has taken its share of [`Parts::keep_budget`].
     is_kept: bool,
     /// dL/dY `[tiles, 3, S, S]`
     d_tiles: Option<Buffer<f32>>,
@@ -82,15 +79,35 @@ pub struct BatchPart {
     d_pairs: Option<PairGradients>,
 }
 
+/// What the host knows of a part's pairs, intersections and samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Need {
+    /// Nothing: it may be predicted.
+    Unknown,
+    /// A prediction was too small: the host waits for the counts before it allocates.
+    Underestimated,
+    /// The counts.
+    Known(Capacity),
+}
+
+impl Need {
+    fn known(self) -> Option<Capacity> {
+        match self {
+            Self::Known(capacity) => Some(capacity),
+            Self::Unknown | Self::Underestimated => None,
+        }
+    }
+}
+
 impl Parts {
     fn new(parts: Vec<PartTiles>, views: usize) -> Self {
         let list = parts.into_iter().map(BatchPart::new).collect();
-        Self { list, views, room: 0, stays: false }
+        Self { list, views, keep_budget: 0, is_taped: false }
     }
 
     /// Gives up the memory of kept parts.
     pub fn release(&mut self) {
-        self.room = 0;
+        self.keep_budget = 0;
         self.list.iter_mut().for_each(BatchPart::release);
     }
 
@@ -106,8 +123,7 @@ impl BatchPart {
     fn new(part_tiles: PartTiles) -> Self {
         Self {
             part_tiles,
-            needed: None,
-            waits: false,
+            need: Need::Unknown,
             is_for_gradients: false,
             part: None,
             is_kept: false,
@@ -122,12 +138,12 @@ impl BatchPart {
         self.d_pairs = None;
     }
 
-    /// After the part was read: keeps it if there is room, and releases it otherwise.
-    fn keep_or_release(&mut self, room: &mut u64) {
-        let needed = self.needed.expect("it was read");
+    /// After the part was read: keeps it if the budget allows it, and releases it otherwise.
+    fn keep_or_release(&mut self, budget: &mut u64) {
+        let needed = self.need.known().expect("it was read");
         let takes = u64::from(needed.pairs) + u64::from(needed.samples);
-        if !self.is_kept && takes <= *room {
-            *room -= takes;
+        if !self.is_kept && takes <= *budget {
+            *budget -= takes;
             self.is_kept = true;
         }
         if !self.is_kept {
@@ -168,15 +184,15 @@ impl<'a> Pass<'a> {
         output: &mut Output<'_>,
         progress: &mut dyn FnMut(usize),
     ) -> Result<()> {
-        parts.room = if keep { self.kept_samples() } else { 0 };
-        parts.stays = keep;
+        parts.keep_budget = if keep { self.kept_samples() } else { 0 };
+        parts.is_taped = keep;
         let mut done = 0;
         let mut index = 0;
         while let Some(at) = parts.list.get_mut(index) {
             match self.read_tiles(at, keep, output) {
                 Ok(false) => {}
                 Ok(true) => {
-                    at.keep_or_release(&mut parts.room);
+                    at.keep_or_release(&mut parts.keep_budget);
                     done += at.part_tiles.tiles.len();
                     progress(done);
                     index += 1;
@@ -211,12 +227,17 @@ impl<'a> Pass<'a> {
     /// Counts on the device, with room for what the part is known or predicted to need. `None` where the host must wait for the counts.
     fn part_counts(&self, at: &BatchPart) -> Result<Option<PartCounts>> {
         let is_one_scene = self.scene.beside.is_empty();
-        if !self.device().has_indirect_counts() || at.waits || !is_one_scene {
+        if !self.device().has_indirect_counts() || !is_one_scene {
             return Ok(None);
         }
         let predicted = || self.renderer.predictor().predict(self.kind(at), self.size(at));
-        let Some(capacity) = at.needed.or_else(predicted) else { return Ok(None) };
-        let counts = match self.queued {
+        let capacity = match at.need {
+            Need::Unknown => predicted(),
+            Need::Underestimated => None,
+            Need::Known(capacity) => Some(capacity),
+        };
+        let Some(capacity) = capacity else { return Ok(None) };
+        let counts = match self.queue_counts {
             Some(counts) => counts.clone(),
             None => Arc::new(self.device().upload("counts", &NO_COUNTS)?),
         };
@@ -244,7 +265,7 @@ impl<'a> Pass<'a> {
         mut buffers: Vec<Buffer<u32>>,
     ) -> Result<Option<(Vec<Vec<u32>>, Capacity)>> {
         let part = at.part.as_ref().expect("it was evaluated");
-        let counts = part.bins.part_counts.as_ref().filter(|_| at.needed.is_none());
+        let counts = part.bins.part_counts.as_ref().filter(|_| at.need.known().is_none());
         buffers.extend(counts.map(|counts| counts.counts.view()));
         let mut words = match &buffers[..] {
             [] => Vec::new(),
@@ -252,17 +273,17 @@ impl<'a> Pass<'a> {
         };
         let needed = match counts {
             Some(_) => Capacity::needed(&words.pop().expect("the counts were read")),
-            None => at.needed.or(Some(part.capacity)),
+            None => at.need.known().or(Some(part.capacity)),
         };
         let Some(needed) = needed else {
             at.release();
-            at.waits = true;
+            at.need = Need::Underestimated;
             return Ok(None);
         };
-        if at.needed.is_none() && self.device().has_indirect_counts() {
+        if at.need.known().is_none() && self.device().has_indirect_counts() {
             self.renderer.predictor().observe(self.kind(at), self.size(at), needed);
         }
-        at.needed = Some(needed);
+        at.need = Need::Known(needed);
         Ok(Some((words, needed)))
     }
 
@@ -279,8 +300,8 @@ impl<'a> Pass<'a> {
         loss: &mut LossSource<'_>,
         into: &SceneGradient,
     ) -> Result<()> {
-        if !parts.stays {
-            parts.room = self.kept_samples();
+        if !parts.is_taped {
+            parts.keep_budget = self.kept_samples();
         }
         loop {
             let splats = self.backward_to_splats(parts, loss, into);
@@ -344,7 +365,7 @@ impl<'a> Pass<'a> {
             self.evaluate(at, true)?;
             let part = at.part.as_ref().expect("it was evaluated");
             let image = &part.composite.image;
-            let is_queued = self.queued.is_some();
+            let is_queued = self.queue_counts.is_some();
             let d_tiles =
                 loss.backward(device, &at.part_tiles, &part.bins, is_queued, image, into)?;
             let d_pairs = device.run_in_pool(|| {
@@ -358,7 +379,7 @@ impl<'a> Pass<'a> {
             if !is_alone {
                 let Some((words, _)) = self.read(at, loss.buffers())? else { continue };
                 loss.take(&at.part_tiles, &words);
-                at.keep_or_release(&mut parts.room);
+                at.keep_or_release(&mut parts.keep_budget);
             }
             index += 1;
         }
@@ -397,7 +418,7 @@ impl<'a> Pass<'a> {
                 part.backward(self.scene, &d_pairs, into, rows.as_mut(), continues)
             })?;
             at.d_tiles = None;
-            if !(is_alone || parts.stays && at.is_kept) {
+            if !(is_alone || parts.is_taped && at.is_kept) {
                 at.release();
             }
         }
@@ -406,11 +427,11 @@ impl<'a> Pass<'a> {
             ranks::sum(device, ranks, into)?;
         }
         device.run_in_pool(|| into.finish(device))?;
-        if is_alone && self.queued.is_none() {
+        if is_alone && self.queue_counts.is_none() {
             let at = &mut parts.list[0];
             let Some((words, _)) = self.read(at, loss.buffers())? else { return Ok(false) };
             loss.take(&at.part_tiles, &words);
-            if !(parts.stays && at.is_kept) {
+            if !(parts.is_taped && at.is_kept) {
                 at.release();
             }
         }
@@ -424,7 +445,7 @@ impl<'a> Pass<'a> {
             return Ok([part.bins.pairs.count.clone(), part.transmittance.samples.clone()]);
         }
         let mut samples = [0_i64; 2];
-        for needed in parts.list.iter().filter_map(|at| at.needed) {
+        for needed in parts.list.iter().filter_map(|at| at.need.known()) {
             samples[0] += i64::from(needed.pairs);
             samples[1] += i64::from(needed.samples);
         }
@@ -470,7 +491,7 @@ impl<'a> Pass<'a> {
             return Err(error);
         }
         parts.list[range.clone()].iter_mut().for_each(BatchPart::release);
-        if parts.room > 0 {
+        if parts.keep_budget > 0 {
             parts.release();
             return Ok(());
         }

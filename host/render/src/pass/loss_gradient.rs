@@ -89,7 +89,7 @@ impl Renderer {
         if !self.device().has_indirect_counts() {
             return Ok(None);
         }
-        let pass = Pass { queued: Some(&gradient.counts), ..self.pass(scene, cameras) };
+        let pass = Pass { queue_counts: Some(&gradient.counts), ..self.pass(scene, cameras) };
         let mut parts = pass.cut(batch)?;
         let mut loss = LossSource::Compared(Comparison::new(target, None));
         let Some((kind, size)) = pass.queue(&mut parts, &mut loss, gradient)? else {

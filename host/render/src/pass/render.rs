@@ -84,6 +84,6 @@ impl Renderer {
 
     /// What all parts of a batch share. No other ranks take part, and the host waits for results.
     pub(crate) fn pass<'a>(&'a self, scene: &'a DeviceScene, cameras: &'a [Camera]) -> Pass<'a> {
-        Pass { renderer: self, scene, cameras, ranks: None, queued: None }
+        Pass { renderer: self, scene, cameras, ranks: None, queue_counts: None }
     }
 }

@@ -19,6 +19,7 @@ PARTS = {
     "whole": ("whole photographs and short steps of T from the start", ["--set", "run.coarse=0"]),
     "cooldown": ("no cooldown", ["--set", "optimizer.cooldown=0"]),
     "flat": ("one color for each Gaussian", ["--set", "scene.slope=0"]),
+    "unshaped": ("one falloff for all Gaussians", ["--set", "scene.shape=0"]),
     "decay": ("no weight decay of T's grid", ["--set", "optimizer.transmittance_decay=0"]),
     "fixed": ("no growth", ["--set", "densification.end=0"]),
     "neighbors": ("tiles in groups of four neighbors", ["--set", "run.tiles_per_view=4"]),

@@ -250,6 +250,7 @@ def rasterization(
     height: int,
     *,
     slopes: torch.Tensor | None = None,
+    shapes: torch.Tensor | None = None,
     channels: Sequence[Channel] = (),
     tile_size: int = 64,
 ) -> tuple[torch.Tensor, torch.Tensor, dict[str, Any]]:
@@ -264,6 +265,7 @@ def rasterization(
     | `materials` | `[N, material]` | in the place of gsplat's `colors`: what the color network takes |
     | `extras` | `[N, extra]` | what the transmittance network takes |
     | `slopes` | `[N, 9]` | how colors grow per standard deviation along each axis, where the scene has slopes |
+    | `shapes` | `[N, 1]` | how flat falloffs are: 0 for a Gaussian's, where the scene has shapes |
     | `fields` | | both networks with their hash grids |
     | `viewmats` | `[C, 4, 4]` | world to camera, OpenCV's axes |
     | `Ks` | `[C, 3, 3]` | intrinsics in pixels |
@@ -283,6 +285,7 @@ def rasterization(
         _GAUSSIANS + "material": materials,
         _GAUSSIANS + "extra": extras,
         **({} if slopes is None else {_GAUSSIANS + "slope": slopes}),
+        **({} if shapes is None else {_GAUSSIANS + "shape": shapes}),
         **fields.tensors(),
     }
     cameras = Cameras.from_matrices(_matrices(viewmats), _matrices(Ks), width, height)

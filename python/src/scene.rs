@@ -42,7 +42,8 @@ impl Scene {
     /// Makes a scene from arrays, which are copied as `float32`. Names are those in a scene file: `gaussians.position
     /// [N, 3]` in world units, `gaussians.rotation [N, 4]` (quaternions w x y z, not normalized),
     /// `gaussians.log_scale [N, 3]` (natural logarithms), `gaussians.opacity [N]` (logits), `gaussians.material`,
-    /// `gaussians.extra`, where `slope` is 9 `gaussians.slope [N, 9]`, and for each field a `grid` and the `mlp`.
+    /// `gaussians.extra`, where `slope` is 9 `gaussians.slope [N, 9]`, where `shape` is 1 `gaussians.shape [N, 1]`, and for each
+    /// field a `grid` and the `mlp`.
     ///
     /// `config` is the scene's configuration, as a dictionary like `Scene.config` or as JSON. Raises `ValueError` if
     /// a tensor is missing, unknown, of another shape or not finite.

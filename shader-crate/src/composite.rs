@@ -5,6 +5,7 @@ use glam::{UVec3, Vec3, Vec4};
 
 use crate::limits::MAX_INTERSECTIONS;
 use crate::project::{falloff, in_support, mahalanobis};
+use crate::shape::shaped_falloff;
 use crate::slope::SLOPE_VECTORS;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
@@ -20,6 +21,8 @@ pub struct CompositeParams {
     pub skip: u32,
     /// 1 where colors vary within a Gaussian.
     pub sloped: u32,
+    /// See [`SplatParams::shaped`](crate::splat::SplatParams::shaped).
+    pub shaped: u32,
 }
 
 /// Squared Mahalanobis distance of a pixel from a splat's center.
@@ -33,13 +36,14 @@ pub fn splat_distance<L: Lane>(placed: Vec4, conic: Vec4, x: L, y: L) -> L {
     mahalanobis(Vec3::new(conic.x, conic.y, conic.z), dx, dy)
 }
 
-/// Alpha of a splat at a distance: `sigmoid(opacity) T falloff` (Eq. 12).
+/// Alpha of a splat at a distance: `sigmoid(opacity) T falloff` (Eq. 12), where the falloff may have a [shape](crate::shape).
 ///
 /// Where the pixel does not lie [in its support](in_support), add nothing: a weight or a color that is not finite makes NaN
 /// even of a falloff of 0.
 #[inline(always)]
-pub fn alpha<L: Lane>(placed: Vec4, q: L) -> L {
-    L::splat(placed.z) * falloff(q)
+pub fn alpha<L: Lane>(placed: Vec4, color: Vec4, is_shaped: bool, q: L) -> L {
+    let f = if is_shaped { shaped_falloff(q, color.w) } else { falloff(q) };
+    L::splat(placed.z) * f
 }
 
 /// Planes of a tile's sums: the channels of C, then S.
@@ -162,8 +166,8 @@ pub fn composite<L: Lane>(
                     let conic = shared_splats.element(offset + 1, splats);
                     if touches(placed, conic, first.x, last, first.y) {
                         let q = splat_distance(placed, conic, x, y);
-                        let a = alpha(placed, q);
                         let c = shared_splats.element(offset + 2, splats);
+                        let a = alpha(placed, c, params.shaped != 0, q);
                         let mut r = L::splat(c.x);
                         let mut g = L::splat(c.y);
                         let mut b = L::splat(c.z);

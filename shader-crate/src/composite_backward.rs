@@ -5,6 +5,7 @@ use glam::{Vec3, Vec4};
 use crate::composite::SUM_PLANES;
 use crate::limits::MAX_BAND;
 use crate::project::{falloff, in_support, mahalanobis};
+use crate::shape::{Shaped, flatness_slope};
 use crate::slope::{SLOPE_GRADIENT_VECTORS, SLOPE_VECTORS};
 use crate::splat::{Compensation, VECTORS};
 use crate::tile::Tile;
@@ -29,6 +30,8 @@ pub struct CompositeBackwardParams {
     pub compensated_blur: f32,
     /// See [`CompositeParams::sloped`](crate::composite::CompositeParams::sloped).
     pub sloped: u32,
+    /// See [`SplatParams::shaped`](crate::splat::SplatParams::shaped).
+    pub shaped: u32,
 }
 
 /// Rows that one dispatch of [`composite_backward`] may sum over, for tiles of a side: an invocation takes a step for
@@ -60,30 +63,31 @@ impl Span {
 
 /// The sums over an intersection's pixels.
 ///
-/// With h = falloff dL/dalpha, sums of h, of `h d` and of `h d d^T` for the distances d of pixels from the center.
+/// With h = falloff dL/dalpha, sums of h, and of `h d` and `h d d^T` for the distances d of pixels from the center; where falloffs have
+/// shapes, the latter times `d ln(falloff) / d ln(f)`, f the falloff without a shape.
 #[derive(Clone, Copy)]
 struct Moments {
     /// h, h dx, h dy
     first: Vec3,
     /// h dx dx, h dx dy, h dy dy
     second: Vec3,
-    /// falloff dL/dC
-    color: Vec3,
+    /// falloff dL/dC, and `dfalloff/dk dL/dalpha`, k the flatness
+    color: Vec4,
     /// falloff dL/dC dx; 0 where colors do not vary
     along_x: Vec3,
     /// falloff dL/dC dy, likewise
     along_y: Vec3,
 }
 
-/// An intersection's splat, and how its color grows along x and y.
-type Sloped = [Vec4; 5];
+/// An intersection's splat, and how its color grows along x and y: 0 where it does not. Likewise its flatness.
+type Varied = [Vec4; 5];
 
 /// Sums over `blocks` of `L::WIDTH` columns from `column` on, of the rows of a span; `at` is the tile's first value
 /// of `gradient [tiles, 4, S, S]`.
 #[loops]
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
-fn moments<L: Lane, const SLOPED: bool>(
+fn moments<L: Lane, const VARIED: bool>(
     gradient: Read<f32>,
     at: u32,
     side: u32,
@@ -91,7 +95,7 @@ fn moments<L: Lane, const SLOPED: bool>(
     column: u32,
     blocks: u32,
     origin: [i32; 2],
-    splat: Sloped,
+    splat: Varied,
 ) -> Moments {
     let [placed, conic, color, along_x, along_y] = splat;
     let conic = Vec3::new(conic.x, conic.y, conic.z);
@@ -102,6 +106,8 @@ fn moments<L: Lane, const SLOPED: bool>(
     let mut red = zero;
     let mut green = zero;
     let mut blue = zero;
+    let mut flatness = zero;
+    let mut weight = zero;
     let mut h = zero;
     let mut hx = zero;
     let mut hy = zero;
@@ -114,7 +120,8 @@ fn moments<L: Lane, const SLOPED: bool>(
     while row < rows.end {
         let below = (origin[1] + row as i32) as f32 + 0.5 - placed.y;
         let dy = L::splat(below);
-        let row_color = if SLOPED { color + along_y * below } else { color };
+        let row_color = if VARIED { color + along_y * below } else { color };
+        let mut row_weight = zero;
         let mut row_h = zero;
         let mut row_hx = zero;
         let mut row_red = zero;
@@ -126,7 +133,7 @@ fn moments<L: Lane, const SLOPED: bool>(
         while next < end {
             let dx = x - L::splat(placed.x);
             let q = mahalanobis(conic, dx, dy);
-            let f = falloff(q);
+            let mut f = falloff(q);
             let reached = in_support(q);
             let r = L::read(gradient, next);
             let g = L::read(gradient, next + area);
@@ -135,19 +142,27 @@ fn moments<L: Lane, const SLOPED: bool>(
             let mut of_red = L::splat(row_color.x);
             let mut of_green = L::splat(row_color.y);
             let mut of_blue = L::splat(row_color.z);
-            if SLOPED {
+            if VARIED {
                 of_red = of_red + L::splat(along_x.x) * dx;
                 of_green = of_green + L::splat(along_x.y) * dx;
                 of_blue = of_blue + L::splat(along_x.z) * dx;
             }
             let by_alpha = r * of_red + g * of_green + b * of_blue + s;
             // a falloff of 0 makes NaN of what is not finite
-            let by_weight = L::select(reached, f * by_alpha, zero);
-            let by_x = by_weight * dx;
+            let mut by_distance = L::select(reached, f * by_alpha, zero);
+            if VARIED {
+                let shaped = Shaped::new(f, color.w);
+                by_distance = by_distance * shaped.by_falloff;
+                f = shaped.value;
+                row_weight = row_weight + L::select(reached, f * by_alpha, zero);
+                let by_flatness = L::select(reached, shaped.by_flatness * by_alpha, zero);
+                flatness = flatness + by_flatness;
+            }
+            let by_x = by_distance * dx;
             red = L::select(reached, red + f * r, red);
             green = L::select(reached, green + f * g, green);
             blue = L::select(reached, blue + f * b, blue);
-            if SLOPED {
+            if VARIED {
                 let by_red = L::select(reached, f * r, zero);
                 let by_green = L::select(reached, f * g, zero);
                 let by_blue = L::select(reached, f * b, zero);
@@ -157,7 +172,7 @@ fn moments<L: Lane, const SLOPED: bool>(
                 let [x, y, z] = all_x;
                 all_x = [x + by_red * dx, y + by_green * dx, z + by_blue * dx];
             }
-            row_h = row_h + by_weight;
+            row_h = row_h + by_distance;
             row_hx = row_hx + by_x;
             hxx = hxx + by_x * dx;
             x = x + step;
@@ -168,16 +183,18 @@ fn moments<L: Lane, const SLOPED: bool>(
         hy = hy + row_h * dy;
         hxy = hxy + row_hx * dy;
         hyy = hyy + row_h * dy * dy;
-        if SLOPED {
+        if VARIED {
+            weight = weight + row_weight;
             let [x, y, z] = all_y;
             all_y = [x + row_red * dy, y + row_green * dy, z + row_blue * dy];
         }
         row += 1;
     }
+    let weight = if VARIED { weight } else { h };
     Moments {
-        first: Vec3::new(h.sum(), hx.sum(), hy.sum()),
+        first: Vec3::new(weight.sum(), hx.sum(), hy.sum()),
         second: Vec3::new(hxx.sum(), hxy.sum(), hyy.sum()),
-        color: Vec3::new(red.sum(), green.sum(), blue.sum()),
+        color: Vec4::new(red.sum(), green.sum(), blue.sum(), flatness.sum()),
         along_x: Vec3::new(all_x[0].sum(), all_x[1].sum(), all_x[2].sum()),
         along_y: Vec3::new(all_y[0].sum(), all_y[1].sum(), all_y[2].sum()),
     }
@@ -185,14 +202,14 @@ fn moments<L: Lane, const SLOPED: bool>(
 
 /// Sums over the pixels that an intersection's support may reach, and over their neighbors in the same rows, which add nothing.
 #[inline(always)]
-fn all_moments<L: Lane, const SLOPED: bool>(
+fn all_moments<L: Lane, const VARIED: bool>(
     gradient: Read<f32>,
     at: u32,
     side: u32,
     rows: Span,
     columns: Span,
     origin: [i32; 2],
-    splat: Sloped,
+    splat: Varied,
 ) -> Moments {
     // whole blocks, moved to the left where they would end past the row
     let wanted = (columns.end - columns.begin).div_ceil(L::WIDTH);
@@ -200,11 +217,11 @@ fn all_moments<L: Lane, const SLOPED: bool>(
     let blocks = if wanted < fitting { wanted } else { fitting };
     let max = side - blocks * L::WIDTH;
     let begin = if columns.begin < max { columns.begin } else { max };
-    let mut sum = moments::<L, SLOPED>(gradient, at, side, rows, begin, blocks, origin, splat);
+    let mut sum = moments::<L, VARIED>(gradient, at, side, rows, begin, blocks, origin, splat);
     let end = begin + blocks * L::WIDTH;
     if L::WIDTH > 1 && end < columns.end {
         let rest = columns.end - end;
-        let more = moments::<L::One, SLOPED>(gradient, at, side, rows, end, rest, origin, splat);
+        let more = moments::<L::One, VARIED>(gradient, at, side, rows, end, rest, origin, splat);
         sum = Moments {
             first: sum.first + more.first,
             second: sum.second + more.second,
@@ -218,11 +235,11 @@ fn all_moments<L: Lane, const SLOPED: bool>(
 
 /// Adds to `intersection_gradient [intersections, 3]` the gradient of each intersection's splat from some rows of its tile, given
 /// `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS: `(d mean2d x, y, d weight, 0), (d conic xx, xy, yy, 0),
-/// (d color, 0)`. Where colors vary, also adds to `intersection_slope [intersections, 2]` the gradient of their growth along x and
+/// (d color, d shape)`. Where colors vary, also adds to `intersection_slope [intersections, 2]` the gradient of their growth along x and
 /// y, and `slope [pairs, 4]` is as [`slope`](crate::slope::slope()) writes it.
 ///
 /// The derivative of Eq. 12: with `alpha = weight falloff(q)`, `dL/dalpha = dL/dC . c + dL/dS`, and
-/// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0. The weight is the one before its [`Compensation`], which depends on
+/// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0, for one without a shape. The weight is the one before its [`Compensation`], which depends on
 /// the conic. One invocation for each intersection of a tile: pixels are summed
 /// in an order that nothing changes.
 #[kernel(threads(64), over(params.intersections), iterations = u32::BITS + MAX_BAND, lanes, counts(intersections))]
@@ -246,7 +263,7 @@ pub fn composite_backward<L: Lane>(
         let vector = pair * VECTORS;
         let placed = splat.read(vector);
         let conic = splat.read(vector + 1);
-        let color = splat.read(vector + 2);
+        let mut color = splat.read(vector + 2);
         let side = params.side;
         let columns = Span::new(placed.x, placed.w, x, 0, side);
         let last_row = params.first_row + params.rows;
@@ -257,15 +274,22 @@ pub fn composite_backward<L: Lane>(
             let gradient = sum_gradient;
             let mut along_x = Vec4::ZERO;
             let mut along_y = Vec4::ZERO;
-            let sum = if params.sloped != 0 {
+            if params.sloped != 0 {
                 along_x = slope.read(pair * SLOPE_VECTORS);
                 along_y = slope.read(pair * SLOPE_VECTORS + 1);
+            }
+            if params.shaped == 0 {
+                color.w = 0.0;
+            }
+            let mut sum = if params.sloped | params.shaped != 0 {
                 let splat = [placed, conic, color, along_x, along_y];
                 all_moments::<L, true>(gradient, at, side, rows, columns, origin, splat)
             } else {
                 let splat = [placed, conic, color, along_x, along_y];
                 all_moments::<L, false>(gradient, at, side, rows, columns, origin, splat)
             };
+            sum.color.w =
+                if params.shaped != 0 { sum.color.w * flatness_slope(color.w) } else { 0.0 };
             // dq/dmean2d = -2 conic d
             let hx = sum.first.y;
             let hy = sum.first.z;
@@ -284,7 +308,7 @@ pub fn composite_backward<L: Lane>(
             }
             if params.sloped != 0 {
                 // a center that moves takes the color with it
-                let by_color = (sum.color * weight).extend(0.0);
+                let by_color = (sum.color.truncate() * weight).extend(0.0);
                 geometry.x -= along_x.dot(by_color);
                 geometry.y -= along_y.dot(by_color);
                 let first = index * SLOPE_GRADIENT_VECTORS;
@@ -299,7 +323,7 @@ pub fn composite_backward<L: Lane>(
             let before = intersection_gradient.read(first + 1);
             intersection_gradient.write(first + 1, before + shape.extend(0.0));
             let before = intersection_gradient.read(first + 2);
-            intersection_gradient.write(first + 2, before + (sum.color * weight).extend(0.0));
+            intersection_gradient.write(first + 2, before + sum.color * weight);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The kernels of organza, one file per stage. Each kernel is an ordinary function in the language of [`muslin`].
 //!
 //! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`occupancy`], [`segment`], [`steps`], [`transmittance`], [`color`] (both with
-//! [`hash_grid`] and [`dense`]), [`splat`], [`slope`], [`tile_cells`], [`composite`], [`resolve`], [`pixels`]. Gradients run the other way, in the same
+//! [`hash_grid`] and [`dense`]), [`splat`], [`slope`], [`shape`], [`tile_cells`], [`composite`], [`resolve`], [`pixels`]. Gradients run the other way, in the same
 //! files or those named `_backward`; [`loss`], [`ssim`], [`exposure`] and [`adam`] are for training.
 //! `docs/architecture.md` has the map. `docs/pipeline.md` has the equations, in sections A, B1, B2, B3 and C, which a file names first.
 //!
@@ -41,6 +41,7 @@ pub mod project_backward;
 pub mod resolve;
 pub mod scan;
 pub mod segment;
+pub mod shape;
 pub mod slope;
 pub mod spherical_harmonics;
 pub mod splat;

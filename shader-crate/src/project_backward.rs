@@ -146,10 +146,12 @@ pub struct ProjectBackwardParams {
     pub blur: f32,
     /// [`ALL_BITS`]
     pub bits: u32,
+    /// See [`SplatParams::shaped`](crate::splat::SplatParams::shaped).
+    pub shaped: u32,
 }
 
 /// Adds the gradients of a Gaussian's pairs in some of the cameras, one after the other, to `gradient [11 gaussians]`: position `[N, 3]`, rotation
-/// `[N, 4]`, log_scale `[N, 3]`, opacity `[N]`.
+/// `[N, 4]`, log_scale `[N, 3]`, opacity `[N]`. If falloffs have shapes, it has 12, the last ones for shape `[N]`.
 ///
 /// `pair_gradient [pairs, 3]` comes from [`splat_backward`](crate::splat::splat_backward).
 #[kernel(threads(64), over(params.gaussians), iterations = MAX_CAMERAS)]
@@ -195,6 +197,11 @@ pub fn project_backward(
                 // one camera after the other: the sums do not depend on which of them share a dispatch
                 let rows = [3 * gaussian, 3 * n + 4 * gaussian, 7 * n + 3 * gaussian];
                 add(gradient, params.bits, rows, found, 10 * n + gaussian, geometry.z);
+                if params.shaped != 0 {
+                    let shape = 11 * n + gaussian;
+                    let by_shape = pair_gradient.read(first + 2).w;
+                    gradient.write(shape, sum(gradient.read(shape), by_shape, params.bits));
+                }
             }
             index += 1;
         }

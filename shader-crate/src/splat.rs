@@ -3,10 +3,11 @@
 use glam::{Vec3, Vec4};
 
 use crate::limits::MAX_TILES;
+use crate::shape::flatness;
 use muslin::math::{sigmoid, sqrt};
 use muslin::prelude::*;
 
-/// `Vec4`s of a splat: `(mean2d, weight, extent x), (conic, extent y), (color, 0)`.
+/// `Vec4`s of a splat: `(mean2d, weight, extent x), (conic, extent y), (color, flatness)`.
 pub const VECTORS: u32 = 3;
 
 /// Parameters of [`splat`].
@@ -18,6 +19,8 @@ pub struct SplatParams {
     pub gaussians: u32,
     /// The blur that weights make up for, in square pixels; 0 if they do not. See [`Compensation`].
     pub compensated_blur: f32,
+    /// 1 where falloffs have [shapes](crate::shape).
+    pub shaped: u32,
 }
 
 /// What a Gaussian's weight is multiplied with, so that a blur makes it wider but not heavier: the square root of
@@ -57,7 +60,7 @@ impl Compensation {
 }
 
 /// Gathers `splat [pairs, 3]`; the weight is `sigmoid(opacity) T`, alpha but for the falloff (Eq. 12), times the
-/// [`Compensation`] if the scene has one.
+/// [`Compensation`] if the scene has one. `shape [gaussians]` is read only if falloffs have shapes; without, they are not flat at all: 0.
 #[kernel(threads(64), over(params.pairs), counts(pairs))]
 pub fn splat(
     id: Invocation,
@@ -67,6 +70,7 @@ pub fn splat(
     opacity: Read<f32>,
     transmittance: Read<f32>,
     color: Read<f32>,
+    shape: Read<f32>,
     splat: Write<Vec4>,
 ) {
     let index = id.index();
@@ -75,14 +79,18 @@ pub fn splat(
         let weight = sigmoid(opacity.read(slot % params.gaussians)) * transmittance.read(index);
         let p = projection.read(2 * slot);
         let conic = projection.read(2 * slot + 1);
-        let shape = Vec3::new(conic.x, conic.y, conic.z);
-        let compensation = Compensation::new(shape, params.compensated_blur);
+        let compensated = Vec3::new(conic.x, conic.y, conic.z);
+        let compensation = Compensation::new(compensated, params.compensated_blur);
+        let mut k = 0.0;
+        if params.shaped != 0 {
+            k = flatness(shape.read(slot % params.gaussians));
+        }
         splat.write(VECTORS * index, Vec4::new(p.x, p.y, weight * compensation.factor, p.w));
         splat.write(VECTORS * index + 1, conic);
         let c = 3 * index;
         splat.write(
             VECTORS * index + 2,
-            Vec4::new(color.read(c), color.read(c + 1), color.read(c + 2), 0.0),
+            Vec4::new(color.read(c), color.read(c + 1), color.read(c + 2), k),
         );
     }
 }
@@ -99,7 +107,7 @@ pub struct SplatBackwardParams {
 }
 
 /// Sums `intersection_gradient [intersections, 3]` over the tiles of a pair's camera, in ascending order, and goes on through the
-/// weight: `pair_gradient [pairs, 3]` is `(d mean2d x, y, d opacity logit, dL/dT), (d conic xx, xy, yy, 0), (d color, 0)`.
+/// weight: `pair_gradient [pairs, 3]` is `(d mean2d x, y, d opacity logit, dL/dT), (d conic xx, xy, yy, 0), (d color, d shape)`.
 ///
 /// Of Eq. 12's `opacity = sigmoid(logit)`: `dL/dlogit = dL/dweight T s (1 - s)` and `dL/dT = dL/dweight s`.
 #[kernel(threads(64), over(params.pairs), iterations = MAX_TILES, counts(pairs))]

@@ -42,7 +42,8 @@ fn a_tile_takes_more_intersections_than_one_dispatch() {
         let splat = device.upload("splat", &splats).expect("memory");
         let sum = device.zeros("sum", (4 * SIDE * SIDE) as usize).expect("memory");
         for pass in 0..intersections.div_ceil(MAX_INTERSECTIONS) {
-            let params = CompositeParams { side: SIDE, skip: pass * MAX_INTERSECTIONS, sloped: 0 };
+            let skip = pass * MAX_INTERSECTIONS;
+            let params = CompositeParams { side: SIDE, skip, sloped: 0, shaped: 0 };
             let kernel = CompositeKernel {
                 params,
                 tile: &tile,

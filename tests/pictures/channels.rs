@@ -49,6 +49,8 @@ pub fn visible_splats(case: &Case, camera: usize) -> Vec<VisibleSplat> {
             true => composite::compensation(conic, scene.config.blur),
             false => 1.0,
         };
+        let shape = scene.gaussians.shape.get(index);
+        let flatness = shape.map(|&shape| composite::flatness(shape.into()));
         Some(VisibleSplat {
             gaussian: index,
             splat: Splat {
@@ -57,6 +59,7 @@ pub fn visible_splats(case: &Case, camera: usize) -> Vec<VisibleSplat> {
                 conic,
                 color: [0.0; 3],
                 growth: None,
+                flatness,
             },
             depth: depth(&view, &gaussian),
             transmittance,

@@ -251,10 +251,10 @@ fn colors_that_are_nan_fill_their_supports() {
     }
 }
 
-/// The gradient of one intersection in one tile, for `gradient [4, S, S]`, of a color that varies or not.
+/// The gradient of one intersection in one tile, for `gradient [4, S, S]`, of a splat that varies or not.
 fn composite_backward(
     device: &Device,
-    (splat, sloped): ([Vec4; 3], u32),
+    (splat, varies): ([Vec4; 3], u32),
     side: u32,
     gradient: &[f32],
 ) -> Vec<Vec4> {
@@ -269,7 +269,8 @@ fn composite_backward(
             first_row: 0,
             rows: side,
             compensated_blur: 0.0,
-            sloped,
+            sloped: varies,
+            shaped: varies,
         },
         tile: &device.upload("tile", &tile.pack()).expect("memory"),
         tile_first: &device.upload("first", &[0, 1]).expect("memory"),
@@ -304,10 +305,10 @@ fn a_gradient_outside_a_support_does_not_matter() {
         let lost = spoiled.iter().filter(|value| !value.is_finite()).count();
         assert!(lost > 100 && lost < gradient.len() - 100, "{lost} values are spoiled");
         let devices = every_device();
-        for ((name, renderer), sloped) in devices.iter().flat_map(|on| [(on, 0), (on, 1)]) {
+        for ((name, renderer), varies) in devices.iter().flat_map(|on| [(on, 0), (on, 1)]) {
             let device = renderer.device();
             let [clean, other] = [&gradient, &spoiled]
-                .map(|gradient| composite_backward(device, (splat, sloped), side, gradient));
+                .map(|gradient| composite_backward(device, (splat, varies), side, gradient));
             assert!(clean.iter().all(|value| value.is_finite()) && clean[0] != Vec4::ZERO);
             assert_eq!(clean, other, "side {side} on {name}");
         }

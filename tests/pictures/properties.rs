@@ -4,6 +4,7 @@ use glam::{Vec2, Vec3, Vec4};
 use organza_shaders::camera::Camera;
 use organza_shaders::project::{falloff, mahalanobis, project_gaussian};
 use organza_shaders::segment::{clip_to_unit_cube, clipped_segment, point_along};
+use organza_shaders::shape::{flatness, shaped_falloff};
 use organza_shaders::tile::{distance_squared, reaches};
 use organza_shaders::unit_cube::Split;
 use proptest::prelude::*;
@@ -86,6 +87,16 @@ proptest! {
             prop_assert!(segment.factor <= 1.0 + 1e-6, "{}", segment.factor);
             prop_assert!((segment.factor * segment.count as f32 - steps).abs() <= 1e-5 * steps.max(1.0));
         }
+    }
+
+    #[test]
+    fn shaped_falloffs_fall_in_the_support_of_a_gaussian(q in 0.0f32..12.0, shape in -100.0f32..100.0) {
+        let k = flatness(shape);
+        prop_assert!((-0.5..=1.0).contains(&k));
+        let [near, far] = [0.99 * q, q].map(|q| shaped_falloff(q, k));
+        prop_assert!((0.0..1.0 + 1e-6).contains(&far) && near > far - 1e-6);
+        prop_assert_eq!(far > 0.0, falloff(q) > 0.0);
+        prop_assert_eq!(shaped_falloff(q, flatness(0.0)), falloff(q));
     }
 
     #[test]

@@ -94,6 +94,7 @@ pub fn config() -> SceneConfig {
         material: shape::MATERIAL as u32,
         extra: transmittance::EXTRA as u32,
         slope: 0,
+        shape: 0,
         color_grid: grid(color::FEATURES as u32, 17, 50.0),
         transmittance_grid: grid(transmittance::FEATURES as u32, 21, 128.0),
         color_mlp: MlpConfig { hidden: vec![128, 48] },

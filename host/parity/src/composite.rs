@@ -56,7 +56,7 @@ impl Composite {
         let sum = random.values(4 * tiles.len() * area, 0.0, 0.5);
         let sum = sum.as_chunks().0.iter().copied();
         Self(CompositeInputs {
-            params: CompositeParams { side, skip: 0, sloped: 0 },
+            params: CompositeParams { side, skip: 0, sloped: 0, shaped: 0 },
             tile: pack(&tiles),
             tile_first,
             intersection,
@@ -76,6 +76,13 @@ impl Composite {
     /// The same set with colors that vary.
     pub(super) fn sloped(mut self) -> Self {
         self.params.sloped = 1;
+        self
+    }
+
+    /// The same set with falloffs from pointed to flat.
+    pub(super) fn shaped(mut self) -> Self {
+        self.params.shaped = 1;
+        self.splat.iter_mut().skip(2).step_by(3).for_each(|color| color.w = 1.5 * color.w - 0.5);
         self
     }
 
@@ -110,11 +117,13 @@ impl Composite {
         let intersections = &self.intersection[first.min(end) as usize..end as usize];
         intersections.iter().map(|&pair| {
             let pair = pair as usize;
-            let splat = Splat::from_vectors(&self.splat.as_chunks().0[pair]);
-            match self.params.sloped {
-                0 => splat,
-                _ => splat.growing(&self.slope[SLOPE_VECTORS as usize * pair..]),
+            let vectors: &[Vec4; 3] = &self.splat.as_chunks().0[pair];
+            let mut splat = Splat::from_vectors(vectors);
+            if self.params.sloped != 0 {
+                splat = splat.growing(&self.slope[SLOPE_VECTORS as usize * pair..]);
             }
+            splat.flatness = (self.params.shaped != 0).then_some(vectors[2].w.into());
+            splat
         })
     }
 }
@@ -164,7 +173,10 @@ impl Parity for Composite {
         sets.push(("second pass".into(), second));
         for side in SIDES {
             let set = Self::filled(side, Fill::Random, 1).sloped();
-            sets.push((format!("sloped, side {side}"), set));
+            sets.push((format!("sloped, side {side}"), set.clone()));
+            sets.push((format!("sloped and shaped, side {side}"), set.shaped()));
+            let set = Self::filled(side, Fill::Random, 2).shaped();
+            sets.push((format!("shaped, side {side}"), set));
         }
         sets
     }

@@ -2,14 +2,14 @@
 
 use glam::Vec4;
 use muslin_check::prelude::*;
-use organza_shaders::composite::CompositeInputs;
+use organza_shaders::composite::{CompositeInputs, CompositeParams};
 use organza_shaders::composite_backward::{
     CompositeBackwardInputs, CompositeBackwardParams, band_rows,
 };
 use organza_shaders::slope::SLOPE_VECTORS;
 
 use super::composite::{Composite, SIDES, extent, pixel, place};
-use super::exact::composite::{Splat, compensation};
+use super::exact::composite::{Splat, compensation, flatness_slope};
 use super::splat::blurred_conic;
 
 case!(pub CompositeBackward(CompositeBackwardInputs));
@@ -17,7 +17,7 @@ case!(pub CompositeBackward(CompositeBackwardInputs));
 impl CompositeBackward {
     fn new(Composite(forward): Composite) -> Self {
         let side = forward.params.side;
-        let sloped = forward.params.sloped;
+        let CompositeParams { sloped, shaped, .. } = forward.params;
         let CompositeInputs { tile, tile_first, intersection, mut splat, slope, sum, .. } = forward;
         // squares of distances are finite
         for placed in splat.iter_mut().step_by(3) {
@@ -39,6 +39,7 @@ impl CompositeBackward {
                 rows: side,
                 compensated_blur: 0.0,
                 sloped,
+                shaped,
             },
             tile,
             tile_first,
@@ -88,23 +89,26 @@ impl CompositeBackward {
         })
     }
 
-    /// The derivatives of the band's sums: center, weight, conic, color, and how the color grows.
-    fn derivatives(&self, index: usize) -> [Rounded; 15] {
+    /// The derivatives of the band's sums: center, weight, conic, color, how the color grows, and flatness.
+    fn derivatives(&self, index: usize) -> [Rounded; 16] {
         let slope = &self.slope[SLOPE_VECTORS as usize * self.intersection[index] as usize..];
         let splat = Splat::<Rounded>::from_vectors(self.splat(index)).growing(slope);
-        let Splat { mean: [x, y], weight, conic, color: [r, g, b], growth } = splat;
+        let Splat { mean: [x, y], weight, conic, color: [r, g, b], growth, .. } = splat;
+        let k = self.splat(index)[2].w.into();
         let [[rx, gx, bx], [ry, gy, by]] = growth.expect("it grows");
-        let grows = self.params.sloped != 0;
+        let [grows, is_shaped] = [self.params.sloped, self.params.shaped].map(|on| on != 0);
         let blur = f64::from(self.params.compensated_blur);
         let [xx, xy, yy] = conic;
         let bare = if blur > 0.0 { weight / compensation(conic, blur) } else { weight };
         let pixels: Vec<_> = self.pixels(index).collect();
-        let values = [x, y, bare, xx, xy, yy, r, g, b, rx, gx, bx, ry, gy, by];
-        gradient(values, |[x, y, bare, xx, xy, yy, r, g, b, rx, gx, bx, ry, gy, by]| {
+        let values = [x, y, bare, xx, xy, yy, r, g, b, rx, gx, bx, ry, gy, by, k];
+        gradient(values, |[x, y, bare, xx, xy, yy, r, g, b, rx, gx, bx, ry, gy, by, k]| {
             let growth = grows.then_some([[rx, gx, bx], [ry, gy, by]]);
             let conic = [xx, xy, yy];
             let weight = if blur > 0.0 { bare * compensation(conic, blur) } else { bare };
-            let splat = Splat { mean: [x, y], weight, conic, color: [r, g, b], growth };
+            let flatness = is_shaped.then_some(k);
+            let color = [r, g, b];
+            let splat = Splat { mean: [x, y], weight, conic, color, growth, flatness };
             Number::sum(pixels.iter().flat_map(|(place, slopes)| {
                 let terms = splat.term(*place);
                 [0, 1, 2, 3].map(|channel| terms[channel] * Dual::constant(slopes[channel]))
@@ -136,9 +140,14 @@ impl Parity for CompositeBackward {
         sets.push(("compensated".into(), set.clone().compensated()));
         sets.push(("rows 3 to 9".into(), set.band(3, 7)));
         for side in [1, 9, 16, 19, 33] {
-            let set = Self::new(Composite::filled(side, Fill::Random, 11).sloped());
-            sets.push((format!("sloped, side {side}"), set.clone()));
-            sets.push((format!("sloped and compensated, side {side}"), set.compensated()));
+            let set = Composite::filled(side, Fill::Random, 11).sloped();
+            sets.push((format!("sloped, side {side}"), Self::new(set.clone())));
+            let set = Self::new(set.shaped());
+            sets.push((format!("sloped and shaped, side {side}"), set.clone()));
+            let name = format!("sloped, shaped and compensated, side {side}");
+            sets.push((name, set.compensated()));
+            let set = Self::new(Composite::filled(side, Fill::Random, 12).shaped());
+            sets.push((format!("shaped, side {side}"), set));
         }
         sets
     }
@@ -146,11 +155,12 @@ impl Parity for CompositeBackward {
     fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
         let zero = Rounded::exact(0.0);
         let of = |index: usize| {
-            let [x, y, weight, xx, xy, yy, r, g, b, rx, gx, bx, ry, gy, by] =
+            let [x, y, weight, xx, xy, yy, r, g, b, rx, gx, bx, ry, gy, by, k] =
                 self.derivatives(index);
+            let by_shape = k * flatness_slope(self.splat(index)[2].w);
             match output {
                 "intersection_slope" => vec![rx, gx, bx, zero, ry, gy, by, zero],
-                _ => vec![x, y, weight, zero, xx, xy, yy, zero, r, g, b, zero],
+                _ => vec![x, y, weight, zero, xx, xy, yy, zero, r, g, b, by_shape],
             }
         };
         let before = match output {

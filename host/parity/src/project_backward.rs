@@ -39,6 +39,7 @@ impl ProjectBackward {
                 cameras: forward.cameras.len() as u32,
                 blur,
                 bits: ALL_BITS,
+                shaped: 0,
             },
             camera: forward.camera.clone(),
             position: forward.position.clone(),
@@ -65,6 +66,16 @@ impl ProjectBackward {
             }
         }
         set
+    }
+
+    /// The same set with shapes.
+    fn shaped(mut self) -> Self {
+        self.params.shaped = 1;
+        let count = self.params.gaussians as usize;
+        self.gradient.resize(12 * count, 0.5);
+        let colors = self.pair_gradient.iter_mut().skip(2).step_by(3);
+        colors.zip(0..).for_each(|(color, pair)| color.w = (pair as f32).sin());
+        self
     }
 
     /// Not culled, and no ratio so near its limit that rounding decides whether it is clamped.
@@ -122,16 +133,17 @@ impl ProjectBackward {
         N::sum(values.zip(slopes).map(|(x, slope)| x * N::from(slope.into())))
     }
 
-    /// The derivatives of the loss of a Gaussian's pairs, by position, rotation, log_scale and opacity; unknown where the kernel's
+    /// The derivatives of the loss of a Gaussian's pairs, by position, rotation, log_scale, opacity and shape; unknown where the kernel's
     /// numbers may overflow in a projection.
-    fn derivatives(&self, gaussian: usize) -> [Rounded; 11] {
+    fn derivatives(&self, gaussian: usize) -> [Rounded; 12] {
         let pairs: Vec<_> = self.pairs(gaussian).collect();
-        let opacity = Number::sum(pairs.iter().map(|(_, pair)| Rounded::from(pair[0].z)));
+        let [opacity, shape] = [|pair: &[Vec4; 3]| pair[0].z, |pair: &[Vec4; 3]| pair[2].w]
+            .map(|of| Number::sum(pairs.iter().map(|(_, pair)| Rounded::from(of(pair)))));
         let is_known =
             |&(camera, _): &(usize, _)| matches!(self.forward.fate(camera, gaussian), Some(Ok(_)));
         if !pairs.iter().all(is_known) {
-            let mut unknown = [Rounded::UNKNOWN; 11];
-            unknown[10] = opacity;
+            let mut unknown = [Rounded::UNKNOWN; 12];
+            [unknown[10], unknown[11]] = [opacity, shape];
             return unknown;
         }
         let Gaussian { position: [a, b, c], rotation: [w, x, y, z], log_scale: [l, m, n] } =
@@ -144,7 +156,7 @@ impl ProjectBackward {
             }))
         };
         let [a, b, c, w, x, y, z, l, m, n] = gradient([a, b, c, w, x, y, z, l, m, n], of);
-        [a, b, c, w, x, y, z, l, m, n, opacity]
+        [a, b, c, w, x, y, z, l, m, n, opacity, shape]
     }
 
     /// The pairs of a Gaussian.
@@ -158,7 +170,12 @@ impl ProjectBackward {
 
 impl Parity for ProjectBackward {
     fn sets() -> Vec<(String, Self)> {
-        Project::everywhere().into_iter().map(|(name, set)| (name, Self::new(set))).collect()
+        let sets = Project::everywhere().into_iter().map(|(name, set)| (name, Self::new(set)));
+        let mut sets: Vec<_> = sets.collect();
+        let shaped = sets.iter().step_by(3);
+        let shaped = shaped.map(|(name, set)| (format!("{name}, shaped"), set.clone().shaped()));
+        sets.extend(shaped.collect::<Vec<_>>());
+        sets
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
@@ -167,7 +184,8 @@ impl Parity for ProjectBackward {
         let part = |first: usize, width: usize| {
             derivatives.iter().flat_map(move |of| of[first..first + width].to_vec())
         };
-        let parts = part(0, 3).chain(part(3, 4)).chain(part(7, 3)).chain(part(10, 1));
+        let parts =
+            part(0, 3).chain(part(3, 4)).chain(part(7, 3)).chain(part(10, 1)).chain(part(11, 1));
         listed(self.gradient.iter().zip(parts).map(|(&before, sum)| sum + before.into()))
     }
 }

@@ -9,7 +9,7 @@ use organza_shaders::splat::{
 };
 
 use super::exact::bits;
-use super::exact::composite::{compensation, weight};
+use super::exact::composite::{compensation, flatness, weight};
 use super::pair::scanned;
 
 case!(pub Splat(SplatInputs));
@@ -18,8 +18,10 @@ impl Splat {
     fn new(pairs: u32, fill: Fill, random: &mut Random) -> Self {
         let gaussians = 37;
         let slots = 2 * gaussians;
+        let shapes = [0.0, -3e38, 3e38, -90.0, 90.0].into_iter();
+        let others = Random::new(8).values(gaussians as usize, -9.0, 9.0);
         Self(SplatInputs {
-            params: SplatParams { pairs, gaussians, compensated_blur: 0.0 },
+            params: SplatParams { pairs, gaussians, compensated_blur: 0.0, shaped: 0 },
             pair: (0..pairs)
                 .map(|i| if i % 5 == 4 { slots - 1 } else { random.below(slots) })
                 .collect(),
@@ -27,6 +29,7 @@ impl Splat {
             opacity: fill.values(random, gaussians as usize, [-12.0, 12.0], 3e38),
             transmittance: random.values(pairs as usize, 0.0, 1.0),
             color: random.values(3 * pairs as usize, 0.0, 1.0),
+            shape: shapes.chain(others).take(gaussians as usize).collect(),
             splat: unwritten((VECTORS * pairs) as usize),
         })
     }
@@ -65,12 +68,16 @@ impl Parity for Splat {
             sets.push((format!("transmittance {edge}"), set));
         }
         sets.push(("compensated".into(), Self::compensated()));
+        let mut shaped = Self::new(inputs::ITEMS, Fill::Random, &mut Random::new(9));
+        shaped.params.shaped = 1;
+        sets.push(("shaped".into(), shaped));
         sets
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let of = |(pair, &slot): (usize, &u32)| {
-            let logit = Rounded::from(self.opacity[(slot % self.params.gaussians) as usize]);
+            let gaussian = (slot % self.params.gaussians) as usize;
+            let logit = Rounded::from(self.opacity[gaussian]);
             let [[x, y, _, width], conic] = [0, 1]
                 .map(|at| self.projection[2 * slot as usize + at].to_array().map(Rounded::from));
             let weight = weight(logit, self.transmittance[pair].into());
@@ -79,7 +86,11 @@ impl Parity for Splat {
                 blur => weight * compensation([conic[0], conic[1], conic[2]], blur.into()),
             };
             let [r, g, b] = [0, 1, 2].map(|channel| self.color[3 * pair + channel].into());
-            [[x, y, weight, width], conic, [r, g, b, 0.0.into()]].concat()
+            let k = match self.params.shaped {
+                0 => Rounded::exact(0.0),
+                _ => flatness(self.shape[gaussian].into()),
+            };
+            [[x, y, weight, width], conic, [r, g, b, k]].concat()
         };
         listed(self.pair.iter().enumerate().flat_map(of))
     }

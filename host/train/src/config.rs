@@ -193,6 +193,7 @@ impl TrainConfig {
             material: shape.material,
             extra: shape.extra,
             slope: shape.slope,
+            shape: shape.shape,
             color_grid: shape.color_grid,
             transmittance_grid: shape.transmittance_grid,
             color_mlp: shape.color_mlp,

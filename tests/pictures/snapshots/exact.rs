@@ -83,6 +83,7 @@ fn weighted_sum(scene: &Scene, stages: &Stages, pixel: [f64; 2]) -> [f64; 4] {
             conic: wide(stages.conic[gaussian]),
             color: std::array::from_fn(|channel| f64::from(stages.color[3 * gaussian + channel])),
             growth: None,
+            flatness: None,
         };
         assert!(
             (splat.q(pixel) - project::cutoff()).abs() > 2e-5,

@@ -106,6 +106,7 @@ impl Recipe {
             step: 0.083,
             blur: 0.3,
             slope: 0,
+            shape: 0,
             occupancy: 0,
             antialiased: false,
             background: [0.129, 0.499, 0.601],

@@ -54,6 +54,7 @@ fn cameras_come_back_to_where_they_were() {
         &mut optimizer.material,
         &mut optimizer.extra,
         &mut optimizer.slope,
+        &mut optimizer.shape,
         &mut optimizer.grids,
         &mut optimizer.networks,
     ] {

@@ -200,8 +200,8 @@ fn first_steps_without_a_gaussian_warn() {
 fn a_run_whose_loss_does_not_move_says_so() {
     let sandbox = sandbox();
     let rates =
-        ["position", "rotation", "log_scale", "opacity", "material", "extra", "slope", "grids"];
-    let rates = rates.into_iter().chain(["networks"]);
+        ["position", "rotation", "log_scale", "opacity", "material", "extra", "slope", "shape"];
+    let rates = rates.into_iter().chain(["grids", "networks"]);
     let still: String = rates.map(|name| format!(" --set optimizer.{name}=1e-12,1e-12")).collect();
     let long =
         format!("{TINY} run --steps 210 --set run.evaluate_every=0 --set densification.end=0");

@@ -42,6 +42,10 @@ pub struct SceneConfig {
     /// field has 0, and no tensor of slopes.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub slope: u32,
+    /// Length of each Gaussian's shape: 1 where falloffs have shapes, 0 where all are a Gaussian's. A file without this field has 0,
+    /// and no tensor of shapes.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub shape: u32,
     /// The hash grid of the color network.
     pub color_grid: GridConfig,
     /// The hash grid of the transmittance network.
@@ -177,6 +181,9 @@ impl SceneConfig {
         }
         if self.slope != 0 && self.slope != SLOPE {
             return bad_config("slope", format!("is {}, expected 0 or {SLOPE}", self.slope));
+        }
+        if self.shape > 1 {
+            return bad_config("shape", format!("is {}, expected 0 or 1", self.shape));
         }
         self.color_grid.check("color_grid")?;
         self.transmittance_grid.check("transmittance_grid")?;
@@ -319,6 +326,7 @@ mod tests {
             ("contraction", "\"cube\"", SceneConfig { contraction: Contraction::Cube, ..basic() }),
             ("antialiased", "true", SceneConfig { antialiased: true, ..basic() }),
             ("slope", "9", SceneConfig { slope: SLOPE, ..basic() }),
+            ("shape", "1", SceneConfig { shape: 1, ..basic() }),
             ("placement", "{", SceneConfig { placement, ..basic() }),
             ("trained_on", "{", SceneConfig { trained_on: Some(TrainedOn::default()), ..basic() }),
         ] {
@@ -341,11 +349,12 @@ mod tests {
     #[test]
     fn each_field_is_held_to_its_range() {
         type Change = fn(&mut SceneConfig);
-        let changes: [(&str, Change); 22] = [
+        let changes: [(&str, Change); 23] = [
             ("sh_degree", |config| config.sh_degree = 8),
             ("material", |config| config.material = 257),
             ("occupancy", |config| config.occupancy = MAX_OCCUPANCY + 1),
             ("slope", |config| config.slope = SLOPE - 1),
+            ("shape", |config| config.shape = 2),
             ("extra", |config| config.extra = u32::MAX),
             ("color_grid.levels", |config| config.color_grid.levels = 0),
             ("transmittance_grid.growth", |config| config.transmittance_grid.growth = 0.5),

@@ -30,6 +30,8 @@ macro_rules! gaussian_tensors {
             extra: [extra], "config field `extra` values for each Gaussian", [2e-2, 2e-2];
             /// How much colors grow per standard deviation, `[N, slope]`: red, green and blue along each axis.
             slope: [slope], "config field `slope` values for each Gaussian", [5e-3, 5e-3];
+            /// How flat falloffs are, `[N, shape]`: 0 for a Gaussian's, more for a disc's.
+            shape: [shape], "config field `shape` values for each Gaussian", [4e-2, 4e-2];
         }
     };
 }

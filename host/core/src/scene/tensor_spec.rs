@@ -20,8 +20,8 @@ impl TensorSpec {
         self.shape.iter().fold(1, |values, &size| values.saturating_mul(size))
     }
 
-    /// Whether a scene has the tensor: scenes whose colors do not vary have no slopes, not even empty ones.
+    /// Whether a scene has the tensor: without slopes or shapes, it does not even have empty ones.
     pub(super) fn is_in_scene(&self) -> bool {
-        self.name != "gaussians.slope" || self.shape[1] > 0
+        !["gaussians.slope", "gaussians.shape"].contains(&&*self.name) || self.shape[1] > 0
     }
 }

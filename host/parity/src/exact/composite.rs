@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 
-use super::numeric::Number;
+use super::numeric::{Number, Rounded};
 use super::project::cutoff;
 
 /// A pair in the image.
@@ -18,6 +18,8 @@ pub struct Splat<N> {
     pub color: [N; 3],
     /// How c grows along x and y (Eq. 17), if it does.
     pub growth: Option<[[N; 3]; 2]>,
+    /// k of Eq. 18, if the falloff has a shape.
+    pub flatness: Option<N>,
 }
 
 /// `opacity T`, from the opacity's logit: alpha without the falloff.
@@ -46,12 +48,33 @@ pub fn falloff<N: Number>(q: N) -> N {
     q.above(cutoff(), N::from(0.0), inside)
 }
 
+/// k of Eq. 18, of the tensor's value.
+pub fn flatness<N: Number>(shape: N) -> N {
+    let e = (-shape.abs()).exp();
+    let [one, two] = [1.0, 2.0].map(N::from);
+    shape.above(0.0, (one - e) / (one + two * e), (e - one) / (e + two))
+}
+
+/// dk/ds, of k.
+pub fn flatness_slope(flatness: f32) -> Rounded {
+    let [k, one] = [f64::from(flatness), 1.0].map(Rounded::from);
+    (k + Rounded::from(0.5)) * (one - k) * Rounded::from(2.0 / 3.0)
+}
+
+/// Eq. 18: a falloff f with a shape.
+pub fn shaped<N: Number>(f: N, flatness: N) -> N {
+    let g = f * (N::from(2.0) - f);
+    let disc = g * g * (N::from(3.0) - N::from(2.0) * g);
+    f + flatness * (disc - f)
+}
+
 impl<N: Number> Splat<N> {
     /// A splat as the kernels have it.
     pub fn from_vectors(vectors: &[Vec4; 3]) -> Self {
         let numbers = vectors.map(|vector| vector.to_array().map(|x| N::from(x.into())));
         let [[x, y, weight, _], [xx, xy, yy, _], [r, g, b, _]] = numbers;
-        Self { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b], growth: None }
+        let [conic, color] = [[xx, xy, yy], [r, g, b]];
+        Self { mean: [x, y], weight, conic, color, growth: None, flatness: None }
     }
 
     /// The same, with a color that grows as the kernels have it.
@@ -69,7 +92,8 @@ impl<N: Number> Splat<N> {
 
     /// `alpha c` and alpha at the center of a pixel.
     pub fn term(&self, place: [f64; 2]) -> [N; 4] {
-        let alpha = self.weight * falloff(self.q(place));
+        let falloff = falloff(self.q(place));
+        let alpha = self.weight * self.flatness.map_or(falloff, |k| shaped(falloff, k));
         let [dx, dy] = [0, 1].map(|axis| N::from(place[axis]) - self.mean[axis]);
         let color = match self.growth {
             Some([x, y]) => std::array::from_fn(|c| self.color[c] + y[c] * dy + x[c] * dx),

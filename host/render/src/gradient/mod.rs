@@ -26,14 +26,19 @@ use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
 pub const POSE: usize = pose_backward::VALUES as usize;
 
 /// The tensors whose gradients `project_backward` adds to one buffer, in this order, which is the order of [`Tensors`], too.
-pub const GEOMETRY: [&str; 4] =
-    ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
+pub const GEOMETRY: [&str; 5] = [
+    "gaussians.position",
+    "gaussians.rotation",
+    "gaussians.log_scale",
+    "gaussians.opacity",
+    "gaussians.shape",
+];
 
 /// Gradients of all tensors of a scene; kernels add to them.
 #[derive(Debug)]
 pub struct SceneGradient {
     pub(crate) tensors: Tensors<TensorGradient>,
-    /// `[11 N]`: the gradients of [`GEOMETRY`], one after the other.
+    /// `[11 N]`, or `[12 N]` with shapes: the gradients of [`GEOMETRY`], one after the other.
     pub(crate) geometry: Buffer<f32>,
     /// `[N]`: the sum of |dL/dmean2d| over cameras, how many cameras have shown the Gaussian, its largest radius in pixels, 0. Steps add to
     /// it; densification clears it.

@@ -2,7 +2,8 @@
 
 use glam::{Vec2, Vec3, Vec4};
 use organza_shaders::composite::{alpha, splat_distance};
-use organza_shaders::project::{EVERYWHERE, falloff, in_support};
+use organza_shaders::project::{EVERYWHERE, in_support};
+use organza_shaders::shape::shaped_falloff;
 use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
 use serde::Serialize;
@@ -257,13 +258,13 @@ fn contributions(scene: &DeviceScene, part: &Part, pixel: [i32; 2]) -> Result<Ve
     let mut contributions = Vec::new();
     for intersection in device.read(&part.bins.intersection)? {
         let index = intersection as usize;
-        let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
+        let [placed, conic, values] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
         let d = center - Vec2::new(placed.x, placed.y);
         let at_center = Vec3::from(color[index]).extend(0.0);
         let color = color_at(at_center, slope.get(index), d).truncate().to_array();
         let q = splat_distance(placed, conic, center.x, center.y);
         let reached = in_support(q);
-        let alpha = if reached { alpha(placed, q) } else { 0.0 };
+        let alpha = if reached { alpha(placed, values, true, q) } else { 0.0 };
         if reached {
             sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
         }
@@ -271,7 +272,7 @@ fn contributions(scene: &DeviceScene, part: &Part, pixel: [i32; 2]) -> Result<Ve
         contributions.push(Contribution {
             gaussian,
             distance: d.length(),
-            falloff: falloff(q),
+            falloff: shaped_falloff(q, values.w),
             opacity: muslin::math::sigmoid(opacity[gaussian]),
             samples: steps[index],
             transmittance: transmittance[index],

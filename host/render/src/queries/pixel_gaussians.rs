@@ -47,11 +47,12 @@ impl PartSplats {
     }
 
     /// The Gaussians of a part's tile, with their splats.
-    pub fn in_tile(&self, tile: usize) -> impl Iterator<Item = (usize, [Vec4; 2])> {
+    pub fn in_tile(&self, tile: usize) -> impl Iterator<Item = (usize, [Vec4; 3])> {
         let range = self.first[tile] as usize..self.first[tile + 1] as usize;
         self.intersection[range].iter().map(|&pair| {
             let at = pair as usize * VECTORS as usize;
-            (self.pair[pair as usize] as usize, [self.splat[at], self.splat[at + 1]])
+            let splat = std::array::from_fn(|vector| self.splat[at + vector]);
+            (self.pair[pair as usize] as usize, splat)
         })
     }
 
@@ -69,8 +70,9 @@ impl PartSplats {
             let at = pair as usize * VECTORS as usize;
             let q = splat_distance(self.splat[at], self.splat[at + 1], center.x, center.y);
             let gaussian = self.pair[pair as usize] as usize;
-            let [weight, falloff] = [self.splat[at], Vec4::ONE].map(|splat| alpha(splat, q).into());
             let placed = self.splat[at];
+            let [weight, falloff] =
+                [placed, Vec4::ONE].map(|placed| alpha(placed, self.splat[at + 2], true, q).into());
             let apart = center - Vec2::new(placed.x, placed.y);
             let color = color_at(self.splat[at + 2], self.slope.get(pair as usize), apart);
             let color = color.truncate().to_array().map(f64::from);

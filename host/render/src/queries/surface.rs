@@ -180,7 +180,7 @@ impl Surface {
 fn reaching(
     camera: &Camera,
     tile: Tile,
-    gaussians: impl Iterator<Item = (usize, [Vec4; 2])>,
+    gaussians: impl Iterator<Item = (usize, [Vec4; 3])>,
     densities: &[Density],
 ) -> Vec<Vec<Reaching>> {
     const ROW: usize = SIDE as usize;
@@ -190,7 +190,7 @@ fn reaching(
     let corner = ray(0.0, 0.0);
     let steps = [ray(1.0, 0.0) - corner, ray(0.0, 1.0) - corner];
     let ramp: [f32; ROW] = std::array::from_fn(|x| x as f32);
-    for (gaussian, [placed, conic]) in gaussians {
+    for (gaussian, [placed, conic, color]) in gaussians {
         let Density { to_ball, center } = &densities[gaussian];
         let [first, across, down] = [corner, steps[0], steps[1]].map(|ray| *to_ball * ray);
         let center = center.as_vec3();
@@ -208,7 +208,7 @@ fn reaching(
             });
             for ((pixel, q), depth) in pixels.iter_mut().zip(q).zip(depth) {
                 if in_support(q) {
-                    pixel.push([depth, alpha(placed, q)]);
+                    pixel.push([depth, alpha(placed, color, true, q)]);
                 }
             }
         }

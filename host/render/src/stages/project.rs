@@ -54,7 +54,7 @@ pub fn project(
 }
 
 /// Backpropagates `pair_gradient [pairs, 3]` for a range of the part's cameras. Adds the gradients of positions, rotations,
-/// scales and opacities to `gradient`, and the pairs to its statistics.
+/// scales, opacities and shapes to `gradient`, and the pairs to its statistics.
 pub fn project_backward(
     scene: &DeviceScene,
     pairs: &Pairs,
@@ -80,6 +80,7 @@ pub fn project_backward(
             cameras,
             blur,
             bits: ALL_BITS,
+            shaped: scene.config.shape,
         },
         camera: &pairs.camera,
         position: &tensors.position,

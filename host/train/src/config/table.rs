@@ -248,6 +248,10 @@ macro_rules! define {
                 /// everywhere.
                 #[see("pipeline.md#colors-that-vary-within-a-gaussian")]
                 slope: u32 = 9;
+                /// Length of a Gaussian's shape: 1 lets its falloff become flatter, nearly a disc, or more pointed; with 0, all are
+                /// Gaussians.
+                #[see("pipeline.md#shapes-of-falloffs")]
+                shape: u32 = 1;
                 /// sigma, length of a transmittance step in the unit cube.
                 step: f64 = 0.05;
                 /// Cells along a side of the unit cube in which a Gaussian must be, or a ray loses no light there: 0 to 256.

@@ -55,6 +55,7 @@ fn cases_load() {
         ("crowded", 120, 10752),
         ("narrow", 48, 3072),
         ("occupied", 48, 3584),
+        ("shaped", 48, 2560),
         ("sloped", 48, 2560),
         ("tiny", 1, 512),
         ("wide", 160, 14848),

@@ -22,6 +22,8 @@ mod parity;
 mod results;
 mod sandbox;
 mod splats;
+#[cfg(target_os = "linux")]
+mod split;
 mod together;
 mod train;
 mod view;

@@ -93,7 +93,7 @@ impl Fingerprint {
 }
 
 /// The first digits of a hash. A few are enough: no one searches for a collision.
-fn digits(hash: Sha256, count: usize) -> String {
+pub(super) fn digits(hash: Sha256, count: usize) -> String {
     let mut digits = format!("{:x}", hash.finalize());
     digits.truncate(count);
     digits

@@ -2,6 +2,7 @@
 //!
 //! Reads the data sets of nerfstudio, Blender (NeRF synthetic) and COLMAP: see `docs/data.md`.
 
+pub mod block;
 mod colmap;
 mod decode;
 mod develop;
@@ -18,6 +19,7 @@ mod photograph;
 pub mod ply;
 mod poses;
 mod random;
+mod split;
 pub mod still_life;
 pub mod sweep;
 #[cfg(test)]
@@ -29,6 +31,7 @@ use std::fs;
 use std::hash::Hash;
 use std::path::{Path, PathBuf};
 
+pub use block::Block;
 pub use colmap::SparseModel;
 pub use decode::{encode_jpeg, size as photograph_size, upright};
 use develop::Shot;
@@ -46,6 +49,7 @@ use organza_core::{Camera, Result};
 pub use photograph::{DatasetKind, Frame, Photograph, Point};
 pub use poses::{Pose, Poses, kind_of};
 pub use random::random;
+pub use split::Split;
 
 /// The file of LLFF's poses, which are not read.
 pub const LLFF: &str = "poses_bounds.npy";
@@ -107,6 +111,8 @@ pub struct Dataset {
     pub placement: Placement,
     /// Each frame's pose as the files give it, in the world.
     pub poses: Vec<[[f64; 4]; 4]>,
+    /// The block of a split that the data set is.
+    pub block: Option<Block>,
 }
 
 impl Dataset {
@@ -229,6 +235,7 @@ enum Layout {
     Nerfstudio(PathBuf),
     Blender(PathBuf),
     Colmap(colmap::Model),
+    Block(PathBuf),
 }
 
 impl Layout {
@@ -239,6 +246,20 @@ impl Layout {
             .map(Self::Nerfstudio)
             .or_else(|| file(transforms::BLENDER_TRAIN).map(Self::Blender))
             .or_else(|| colmap::find(folder).map(Self::Colmap))
+            .or_else(|| file(block::BLOCK).map(|_| Self::Block(folder.to_owned())))
+    }
+
+    /// The format; a block has that of its data set.
+    fn kind(&self) -> Option<DatasetKind> {
+        match self {
+            Self::Nerfstudio(_) => Some(DatasetKind::Nerfstudio),
+            Self::Blender(_) => Some(DatasetKind::Blender),
+            Self::Colmap(_) => Some(DatasetKind::Colmap),
+            Self::Block(folder) => {
+                let whole = Self::detect(&folder_of(&Block::load(folder).ok()?.data))?;
+                if matches!(whole, Self::Block(_)) { None } else { whole.kind() }
+            }
+        }
     }
 }
 
@@ -264,6 +285,7 @@ fn list(poses: &mut Poses) -> Result<()> {
         Some(Layout::Nerfstudio(file)) => transforms::nerfstudio(poses, &file),
         Some(Layout::Blender(file)) => transforms::blender(poses, &file),
         Some(Layout::Colmap(model)) => colmap::list(poses, &model),
+        Some(Layout::Block(folder)) => block::list(poses, &folder),
         None => {
             let hint = hint(path, None).unwrap_or_default();
             let folders = colmap::FOLDERS.iter().filter(|folder| !folder.is_empty());

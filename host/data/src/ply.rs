@@ -12,7 +12,7 @@ use ply_rs_bw::ply::{
 use super::Point;
 use organza_core::error::{Error, Result, invalid};
 use organza_core::input::read_file;
-use organza_core::memory;
+use organza_core::{memory, write_inside};
 
 /// Longest header in bytes. The header of a scan with all its comments has a few kilobytes.
 const MAX_HEADER: u64 = 1 << 20;
@@ -32,6 +32,26 @@ pub(super) fn read(path: &Path) -> Result<Vec<Point>> {
 /// [`read`] from a file's bytes. Errors name `path`.
 pub(super) fn read_from(bytes: &[u8], path: &Path) -> Result<Vec<Point>> {
     points(&Ply::open(bytes, path)?.vertices(&POSITION)?, path)
+}
+
+/// Writes points to a binary PLY file, with colors if all have one.
+///
+/// # Errors
+/// [`Error::WriteFile`].
+pub(super) fn write(path: &Path, points: &[Point]) -> Result<()> {
+    let colored = points.iter().all(|point| point.color.is_some());
+    let position = POSITION.map(|name| format!("property double {name}\n")).concat();
+    let color = COLOR.map(|name| format!("property uchar {name}\n")).concat();
+    write_inside(path, |writer| {
+        let count = points.len();
+        write!(writer, "ply\nformat binary_little_endian 1.0\nelement vertex {count}\n{position}")?;
+        write!(writer, "{}end_header\n", if colored { &color } else { "" })?;
+        for Point { position, color } in points {
+            position.iter().try_for_each(|value| writer.write_all(&value.to_le_bytes()))?;
+            writer.write_all(color.as_ref().filter(|_| colored).map_or(&[], |color| color))?;
+        }
+        Ok(())
+    })
 }
 
 /// A PLY file after its header.

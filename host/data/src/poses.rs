@@ -34,11 +34,11 @@ pub struct Poses {
     pub(super) shots: Vec<Shot>,
     pub(super) options: DatasetOptions,
     /// The data set's folder, without links.
-    folder: PathBuf,
+    pub(super) folder: PathBuf,
     /// Photographs of frames that the data set calls bad, which are left out.
     pub(super) bad: Vec<PathBuf>,
     /// Whether frames were left out on purpose, so that there may be none to train on.
-    is_part: bool,
+    pub(super) is_part: bool,
 }
 
 /// A camera of a data set.
@@ -101,7 +101,8 @@ impl Poses {
         let suggested = || {
             let cameras: Vec<_> = poses.shots.iter().map(|shot| shot.camera.clone()).collect();
             let points: Vec<_> = poses.dataset.points.iter().map(|point| point.position).collect();
-            Placement::of(&cameras, &points)
+            let placement = Placement::of(&cameras, &points);
+            poses.dataset.block.as_ref().map_or(placement, |block| block.aligned(placement))
         };
         let placement = options.placement.unwrap_or_else(suggested);
         poses.place(placement);
@@ -201,7 +202,9 @@ impl Poses {
 
     /// A note of photographs that lie beside those with a camera, and have none.
     fn without_camera(&self) -> Option<String> {
-        if !matches!(self.dataset.kind, DatasetKind::Nerfstudio | DatasetKind::Colmap) {
+        let is_whole = self.dataset.block.is_none();
+        if !is_whole || !matches!(self.dataset.kind, DatasetKind::Nerfstudio | DatasetKind::Colmap)
+        {
             return None;
         }
         let paths = self.shots.iter().map(|shot| &*shot.path);
@@ -401,9 +404,5 @@ fn significant(number: f64) -> String {
 
 /// The format of the data set in a folder, by the names of its files; `None` if there is no data set.
 pub fn kind_of(folder: &Path) -> Option<DatasetKind> {
-    Layout::detect(&folder_of(folder)).map(|layout| match layout {
-        Layout::Nerfstudio(_) => DatasetKind::Nerfstudio,
-        Layout::Blender(_) => DatasetKind::Blender,
-        Layout::Colmap(_) => DatasetKind::Colmap,
-    })
+    Layout::detect(&folder_of(folder))?.kind()
 }

@@ -10,12 +10,14 @@ mod pictures;
 mod reporter;
 mod run;
 mod single;
+mod split;
 #[cfg(test)]
 mod tests;
 
 pub use reporter::Reporter;
 pub use run::{Difference, Run, Summary, differences};
 pub use single::write_report;
+pub use split::write_split_report;
 
 /// uPlot, which draws the curves.
 pub const UPLOT_SCRIPT: &str = include_str!("assets/uPlot.iife.min.js");

@@ -13,6 +13,7 @@ use rayon::prelude::*;
 
 use super::first::first;
 use super::harmonics::HARMONICS;
+use super::placed::turn;
 use super::sorted::render;
 use super::sorted_backward::gradient;
 use super::views::between;
@@ -141,7 +142,7 @@ fn background(scene: &Scene) -> [f32; 3] {
 }
 
 /// Fits Gaussians to a scene, as some cameras and others between them see it. Without views that are only measured,
-/// the fitted views are measured. `progress` is called with the number of finished steps. An error of it ends the
+/// the fitted views are measured. Scenes that are [shown with](DeviceScene::put) the first one add their Gaussians. `progress` is called with the number of finished steps. An error of it ends the
 /// fit.
 ///
 /// # Errors
@@ -160,6 +161,14 @@ pub fn distill(
     }
     let background = background(scene);
     let mut splats = first(renderer, scene, uploaded, cameras, options.side)?;
+    for other in uploaded.all().skip(1) {
+        let place = *other.place();
+        let own: Vec<_> = cameras.iter().map(|camera| place.own_camera(camera)).collect();
+        let scene = other.download(renderer.device())?;
+        let mut found = first(renderer, &scene, other, &own, options.side)?;
+        turn(&mut found, place.rotation(), place.scale, |at| place.world(at));
+        splats.extend(found);
+    }
     let held_out = HeldOutViews::new(renderer, scene, uploaded, views, options)?;
     let first_psnr = held_out.psnr(&splats);
     let steps = options.steps as usize;

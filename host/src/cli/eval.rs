@@ -10,7 +10,7 @@ use organza::{DeviceScene, Evaluation, Renderer, Result};
 
 use super::console::{Console, print, print_json};
 use super::device::{DeviceArgs, SceneArgs};
-use super::inputs::{DataArgs, DataSet, SceneSource, Split};
+use super::inputs::{DataArgs, DataSet, Shown, Split};
 use super::picture::warn_not_finite;
 use super::summary::{Table, count, score};
 
@@ -65,17 +65,18 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 impl Args {
     /// Reads the scene and the photographs, and compares them.
     fn evaluate(&self, console: Console) -> Result<Evaluation> {
-        let source = SceneSource::find(&self.scene)?;
+        let shown = Shown::find(&self.scene, &[])?;
+        let source = &shown.source;
         let split = self.data_args.split(Split::HeldOut);
-        let scene = source.load(console)?;
+        let scenes = shown.load(console)?;
         let named = self.data.as_deref();
-        let mut data = DataSet::of(&source, named, &self.data_args, self.background, console)?;
+        let mut data = DataSet::of(source, named, &self.data_args, self.background, console)?;
         data.say_doubt(split, console);
         let data = data.only(split);
         let renderer = self.device.open(console)?;
         let dataset = data.read(&renderer, console)?;
         let frames = frames(self, &dataset, split)?;
-        let scene = self.scene_args.upload(&renderer, &scene)?;
+        let scene = shown.upload(&scenes, &self.scene_args, &renderer)?;
         let run = source.settings()?;
         let has_exposures = run.is_some_and(|run| run.exposure.learn == LearnExposure::On);
         measure(&renderer, &scene, &frames, self.fit_colors || has_exposures, console)

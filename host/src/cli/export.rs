@@ -9,8 +9,8 @@ use organza::train::FIT;
 use organza::{DeviceScene, Renderer, Result, Scene};
 
 use super::console::Console;
-use super::device::DeviceArgs;
-use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
+use super::device::{DeviceArgs, SceneArgs};
+use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Shown, Split};
 use super::output::{check_file, made_of, relative_to};
 use super::summary::count;
 use super::{quoted, refuse};
@@ -69,14 +69,17 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         (format @ Format::Spz, _) | (format, None) => format,
         (_, Some(_)) => return refuse("`--spz-version` is for a file that ends in .spz"),
     };
-    let source = SceneSource::find(&args.scene)?;
+    let shown = Shown::find(&args.scene, &[])?;
+    let source = &shown.source;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     check_file(&args.output, &inputs)?;
-    let scene = source.load(console)?;
+    let scenes = shown.load(console)?;
+    let scene = &scenes[0];
     let renderer = args.device.open(console)?;
-    let (views, data) = load_views(args, &source, &scene, &renderer, console)?;
-    let uploaded = renderer.upload(&scene)?;
-    let distilled = distill(args, &source, &scene, (&renderer, &uploaded), &views, console)?;
+    let visible = shown.visible_box(&scenes);
+    let (views, data) = load_views(args, source, visible, &renderer, console)?;
+    let uploaded = shown.upload(&scenes, &SceneArgs::default(), &renderer)?;
+    let distilled = distill(args, source, scene, (&renderer, &uploaded), &views, console)?;
     let placement = scene.config.placement;
     let up = placement.upward(&[&views.fitted[..], &views.held_out].concat());
     let (written, offset) =
@@ -124,7 +127,10 @@ fn distill(
     let fit = Fit { steps: args.steps, side: args.side };
     let key = made_of(source.file(), &(views, fit, renderer.device().arithmetic()))?;
     let file = source.named().join(FIT);
-    if let Some(kept) = Distilled::kept(&file, &key, renderer, scene, uploaded, views, fit)? {
+    // the key knows one file
+    if !source.is_whole()
+        && let Some(kept) = Distilled::kept(&file, &key, renderer, scene, uploaded, views, fit)?
+    {
         console.note("the fit is there from an earlier export");
         return Ok(kept);
     }
@@ -136,7 +142,7 @@ fn distill(
     };
     let new = splats::distill(renderer, scene, uploaded, views, fit, &mut see)?;
     // what is fitted again in a minute need not be kept
-    if args.steps > 0 && source.settings()?.is_some() {
+    if args.steps > 0 && !source.is_whole() && source.settings()?.is_some() {
         let _ = new.keep(&file, &key).inspect_err(|error| console.detail(&error.to_string()));
     }
     Ok(new)
@@ -159,7 +165,7 @@ fn announce(fit: Fit, console: Console) {
 fn load_views(
     args: &Args,
     source: &SceneSource,
-    scene: &Scene,
+    visible: [[f64; 3]; 2],
     renderer: &Renderer,
     console: Console,
 ) -> Result<(Views, Option<Dataset>)> {
@@ -171,7 +177,7 @@ fn load_views(
     if !has_photographs {
         let views = match named {
             Some(_) => Views::from_cameras(Cameras::load(source, named, &args.data, console)?.list),
-            None => Views::around(scene.visible_box())?,
+            None => Views::around(visible)?,
         };
         return Ok((views, None));
     }

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use organza::camera::Target;
 use organza::error::format_bytes;
 use organza::splats::{Mesh, MeshFormat, save_mesh};
-use organza::{Camera, Result, Scene};
+use organza::{Camera, Result};
 use organza_core::memory;
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
-use super::inputs::{Cameras, DataArgs, SceneSource};
+use super::inputs::{Cameras, DataArgs, Shown};
 use super::output::{check_file, relative_to};
 use super::summary::grouped;
 
@@ -58,14 +58,15 @@ pub struct Args {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let format = MeshFormat::from_path(&args.output)?;
-    let source = SceneSource::find(&args.scene)?;
+    let shown = Shown::find(&args.scene, &[])?;
+    let source = &shown.source;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     check_file(&args.output, &inputs)?;
     let Cameras { list: cameras, all, .. } =
-        Cameras::load(&source, args.cameras.as_deref(), &args.data, console)?;
-    let scene = source.load(console)?;
+        Cameras::load(source, args.cameras.as_deref(), &args.data, console)?;
+    let scenes = shown.load(console)?;
     let renderer = args.device.open(console)?;
-    let uploaded = args.scene_args.upload(&renderer, &scene)?;
+    let uploaded = shown.upload(&scenes, &args.scene_args, &renderer)?;
     let mut surfaces = Vec::new();
     {
         let progress = console.progress("finding surfaces", cameras.len(), "views");
@@ -74,13 +75,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             progress.advance(1);
         }
     }
-    let limits = limits(&scene, &cameras);
+    let limits = limits(shown.visible_box(&scenes), &cameras);
     let mesh = {
         let bar = console.progress("putting surfaces together", 0, "layers");
         let progress = |done, all| bar.set_of(done, all);
         Mesh::of_surfaces(&surfaces, limits, args.size, args.faces as usize, &progress)?
     };
-    let placement = &scene.config.placement;
+    let placement = &scenes[0].config.placement;
     let up = placement.upward(&all);
     if let Some(left_out) = save_mesh(&mesh, &args.output, format, up, placement)? {
         console.warn(&(relative_to(left_out) + ", as it says itself"));
@@ -98,8 +99,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 }
 
 /// The box of the mesh: what has nearly all of the opacity. If the cameras look at one place, only what their images show around it.
-fn limits(scene: &Scene, cameras: &[Camera]) -> [[f64; 3]; 2] {
-    let [low, high] = scene.visible_box();
+fn limits([low, high]: [[f64; 3]; 2], cameras: &[Camera]) -> [[f64; 3]; 2] {
     let target = Target::from_cameras(cameras);
     if !target.is_met {
         return [low, high];

@@ -25,6 +25,7 @@ mod progress;
 mod ranks;
 mod render;
 mod signals;
+mod split;
 mod summary;
 mod tiles;
 mod train;
@@ -73,6 +74,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Capture(capture::Args),
+    Split(split::Args),
     Train(train::Args),
     Tiles(tiles::Args),
     Render(render::Args),
@@ -102,6 +104,7 @@ pub fn main() -> ExitCode {
     };
     let run = || match &command {
         Command::Capture(args) => capture::run(args, console).map(done),
+        Command::Split(args) => split::run(args, console).map(done),
         Command::Train(args) => train::run(args, console).map(done),
         Command::Tiles(args) => tiles::run(args, console).map(done),
         Command::Render(args) => render::run(args, console).map(done),

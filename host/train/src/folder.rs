@@ -5,6 +5,9 @@ use std::path::{Path, PathBuf};
 
 use crate::FolderLock;
 use organza_core::{Error, Result, remove_leftovers};
+#[cfg(doc)]
+use organza_data::Block;
+use organza_data::block::BLOCK;
 
 /// `checkpoint.safetensors`: the checkpoint.
 pub const CHECKPOINT: &str = "checkpoint.safetensors";
@@ -25,9 +28,12 @@ pub const EVALUATIONS: &str = "evaluations.csv";
 
 /// `export.fit`: the Gaussians that the last export has fitted to the scene.
 pub const FIT: &str = "export.fit";
+/// `block.safetensors`: of the run of a [`Block`], the scene without the Gaussians of other blocks. `block.json` is the block itself.
+pub const CROPPED: &str = "block.safetensors";
 
 /// Files that a run, or a command about it, writes directly into its folder.
-const FILES: [&str; 8] = [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS, FIT];
+const FILES: [&str; 10] =
+    [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS, FIT, CROPPED, BLOCK];
 
 /// Whether the run writes the file of this path in its folder.
 #[must_use]

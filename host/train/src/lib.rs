@@ -39,8 +39,8 @@ pub use data_place::CAPTURED;
 pub use densification::DensificationStats;
 pub use evaluate::{Evaluation, evaluate};
 pub use folder::{
-    BEST, CAMERAS, CHECKPOINT, CONFIG, EVALUATIONS, FIT, METRICS, PICTURES, REPORT, RunFolder,
-    is_run_file,
+    BEST, CAMERAS, CHECKPOINT, CONFIG, CROPPED, EVALUATIONS, FIT, METRICS, PICTURES, REPORT,
+    RunFolder, is_run_file,
 };
 pub use folder_lock::FolderLock;
 pub use import::{Import, Imported, import};

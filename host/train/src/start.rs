@@ -59,6 +59,9 @@ pub(super) fn first_scene(
         None => start_at_points(config, dataset, &frames, &cameras)?,
     };
     scene.config.placement = dataset.placement;
+    if let Some(block) = &dataset.block {
+        block.bound(&mut scene.config)?;
+    }
     Ok((scene, notes))
 }
 

@@ -175,6 +175,16 @@ impl Placement {
         (DVec3::from(self.offset) + offset).to_array()
     }
 
+    /// The box of the world around a box of the scene.
+    pub fn world_box(&self, ends: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
+        around(ends, |place| self.world(place))
+    }
+
+    /// The box of the scene around a box of the world.
+    pub fn own_box(&self, ends: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
+        around(ends, |place| self.own(place))
+    }
+
     /// The upward direction of a scene with this placement, in its own coordinates: z, as was found when it was placed. A scene in
     /// the world's own coordinates does not know it, so `cameras`, all that it was made of, say how they were held.
     pub fn upward(&self, cameras: &[Camera]) -> [f64; 3] {
@@ -287,6 +297,14 @@ impl Placement {
         }
         Ok(())
     }
+}
+
+/// The box around the corners of another one, each at its new place.
+fn around(ends: [[f64; 3]; 2], place: impl Fn([f64; 3]) -> [f64; 3]) -> [[f64; 3]; 2] {
+    let corner = |at: usize| DVec3::from(place([0, 1, 2].map(|axis| ends[at >> axis & 1][axis])));
+    let first = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+    let all = (0..8).map(corner).fold(first, |[low, high], at| [low.min(at), high.max(at)]);
+    all.map(|end| end.to_array())
 }
 
 /// A horizontal axis, given the upward one. If `up` is an axis of the world, so is the result. Otherwise it points to the

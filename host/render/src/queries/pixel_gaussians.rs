@@ -7,7 +7,8 @@ use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
 
 use crate::pass::part::Part;
-use muslin_device::Device;
+use crate::stages::composite::OtherScene;
+use muslin_device::{Buffer, Device};
 use organza_core::{Camera, Result};
 
 /// A Gaussian that reaches a pixel.
@@ -44,6 +45,21 @@ impl PartSplats {
             splat: device.read(&part.composite.splat)?,
             slope: part.composite.read_slopes(device)?,
         })
+    }
+
+    /// Those of each scene of a part: the first, and those that are shown with it, which have no slopes here.
+    pub fn read_all(device: &Device, part: &Part) -> Result<Vec<Self>> {
+        let other = |(other, splat): (&OtherScene, &Buffer<Vec4>)| {
+            Ok(Self {
+                pair: device.read(&other.bins.pairs.pair)?,
+                first: device.read(&other.bins.tile_first)?,
+                intersection: device.read(&other.bins.intersection)?,
+                splat: device.read(splat)?,
+                slope: Vec::new(),
+            })
+        };
+        let others = part.beside.iter().zip(&part.composite.others).map(other);
+        std::iter::once(Self::read(device, part)).chain(others).collect()
     }
 
     /// The Gaussians of a part's tile, with their splats.

@@ -35,6 +35,15 @@ const RAY_STEPS: u32 = 4;
 /// Smallest S of a surface.
 const SOLID: f64 = 0.5;
 
+/// What a camera sees of one of several scenes.
+struct Seen {
+    /// In the scene's coordinates.
+    camera: Camera,
+    /// The unit of these coordinates.
+    unit: f32,
+    densities: Vec<Density>,
+}
+
 /// A Gaussian's density along the rays from an eye.
 struct Density {
     /// Takes directions to a space in which the Gaussian is a ball.
@@ -86,14 +95,19 @@ impl Renderer {
             color: memory::zeros(pixels, "the color of a view")?,
         };
         let scene = &scene.with_ray_steps(RAY_STEPS);
-        let densities = self.densities(scene, camera)?;
+        let seen = |scene: &DeviceScene| {
+            let own = scene.place().own_camera(camera);
+            let densities = self.densities(scene, &own)?;
+            Ok(Seen { camera: own, unit: scene.place().scale as f32, densities })
+        };
+        let seen = scene.all().map(seen).collect::<Result<Vec<_>>>()?;
         let pass = self.pass(scene, from_ref(camera));
         for batch in bands(0, [camera.width, camera.height], SIDE) {
             pass.each_part(&batch?, |part_tiles| {
                 let part = Part::evaluate(scene, from_ref(camera), part_tiles, false, None)?;
-                let splats = PartSplats::read(self.device(), &part)?;
+                let splats = PartSplats::read_all(self.device(), &part)?;
                 let image = self.device().read(&part.composite.image)?;
-                found.fill(part_tiles, &splats, &image, &densities);
+                found.fill(part_tiles, &splats, &image, &seen);
                 Ok(())
             })?;
         }
@@ -139,17 +153,19 @@ impl Surface {
     fn fill(
         &mut self,
         part_tiles: &PartTiles,
-        splats: &PartSplats,
+        splats: &[PartSplats],
         image: &[f32],
-        densities: &[Density],
+        seen: &[Seen],
     ) {
         let [width, height] = [self.camera.width, self.camera.height].map(|side| side as i32);
         let side = SIDE as i32;
-        let camera = &self.camera;
         let in_tile = |(index, tile): (usize, Tile)| {
             let [left, top] = tile.origin;
-            let reaching = reaching(camera, tile, splats.in_tile(index), densities);
-            let pixels = (0..).zip(reaching);
+            let mut reached = vec![Vec::new(); (SIDE * SIDE) as usize];
+            for (splats, seen) in splats.iter().zip(seen) {
+                reach(seen, tile, splats.in_tile(index), &mut reached);
+            }
+            let pixels = (0..).zip(reached);
             let pixels =
                 pixels.map(move |(at, all)| (at, [left + at % side, top + at / side], all));
             let inside = pixels.filter(move |(_, [x, y], _)| *x < width && *y < height);
@@ -173,18 +189,17 @@ impl Surface {
     }
 }
 
-/// The Gaussians that reach each pixel of a tile, row by row.
+/// Adds the Gaussians of a scene that reach each pixel of a tile, row by row.
 ///
 /// A place is where the density `exp(-|B (t d - center)|^2 / 2)` is largest on the ray `t d` from the eye: `t = (B d . B center) / |B d|^2`.
 /// Rays change evenly from pixel to pixel, and so does B d. A row is computed at once, by vector instructions.
-fn reaching(
-    camera: &Camera,
+fn reach(
+    Seen { camera, unit, densities }: &Seen,
     tile: Tile,
     gaussians: impl Iterator<Item = (usize, [Vec4; 3])>,
-    densities: &[Density],
-) -> Vec<Vec<Reaching>> {
+    pixels: &mut [Vec<Reaching>],
+) {
     const ROW: usize = SIDE as usize;
-    let mut pixels = vec![Vec::new(); ROW * ROW];
     let [left, top] = tile.origin.map(|at| at as f32 + 0.5);
     let ray = |x: f32, y: f32| camera.ray([left + x, top + y].map(f64::from));
     let corner = ray(0.0, 0.0);
@@ -204,7 +219,7 @@ fn reaching(
             let begin = (first + row as f64 * down).as_vec3();
             let depth = ramp.map(|x| {
                 let direction = begin + x * across;
-                direction.dot(center) / direction.length_squared()
+                unit * direction.dot(center) / direction.length_squared()
             });
             for ((pixel, q), depth) in pixels.iter_mut().zip(q).zip(depth) {
                 if in_support(q) {
@@ -213,7 +228,6 @@ fn reaching(
             }
         }
     }
-    pixels
 }
 
 #[cfg(test)]

@@ -65,6 +65,8 @@ pub struct Composite {
     pub image: Buffer<f32>,
     /// `[pairs, 3]`
     pub splat: Buffer<Vec4>,
+    /// The splats of the other scenes.
+    pub others: Vec<Buffer<Vec4>>,
     /// `[pairs, 4]`, of the first scene: see [`slope`](organza_shaders::slope). `None` where colors do not vary.
     pub slope: Option<Buffer<Vec4>>,
 }
@@ -88,9 +90,10 @@ impl Composite {
         let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
         let slope = slopes(contexts[0])?;
         let splat = add_sloped(contexts[0], color, slope.as_ref(), &sum)?;
-        for other in &contexts[1..] {
-            add_sloped(*other, other.color, slopes(*other)?.as_ref(), &sum)?;
-        }
+        let others = contexts[1..]
+            .iter()
+            .map(|other| add_sloped(*other, other.color, slopes(*other)?.as_ref(), &sum));
+        let others = others.collect::<Result<_>>()?;
         let image = device.unwritten("tiles", 3 * pixels)?;
         let kernel = ResolveKernel {
             params: resolve_params(background, scene.divide_above, side),
@@ -99,7 +102,7 @@ impl Composite {
             image: &image,
         };
         device.run_all(&kernel)?;
-        Ok(Self { sum, image, splat, slope })
+        Ok(Self { sum, image, splat, others, slope })
     }
 
     /// How the colors of the first scene's pairs grow along x and y; empty where they do not vary.

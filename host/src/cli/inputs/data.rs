@@ -189,6 +189,9 @@ impl DataSet {
         let options = DatasetOptions { placement, trained_on, ..settings.options() };
         let mut data = Self::open(settings, &options, console)?;
         data.doubt = data.doubt_of(scene, known.as_ref())?;
+        if scene.is_whole() {
+            return Ok(data);
+        }
         let (run, binding) = match scene.settings()? {
             Some(run) => (run, Binding::load(scene.file())?),
             // a checkpoint alone also knows its run, and other files do not

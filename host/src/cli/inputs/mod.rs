@@ -16,9 +16,10 @@ pub use shown::Shown;
 use crate::cli::console::Console;
 use crate::cli::summary::count;
 use crate::cli::views::photographs;
+use organza::data::Block;
 use organza::error::invalid;
-use organza::scene::{Placement, SceneConfig};
-use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
+use organza::scene::{Placement, SceneConfig, TrainedOn};
+use organza::train::{self, CHECKPOINT, CONFIG, CROPPED, TrainConfig};
 use organza::{Camera, Error, Result, Scene};
 
 /// The origin of a scene.
@@ -28,6 +29,15 @@ pub struct SceneSource {
     named: PathBuf,
     /// The scene's file.
     file: PathBuf,
+    /// Of the first block of a split: what all blocks were trained on.
+    whole: Option<Whole>,
+}
+
+/// What the blocks of a split were trained on together.
+#[derive(Clone, Debug)]
+struct Whole {
+    data: PathBuf,
+    trained_on: TrainedOn,
 }
 
 impl SceneSource {
@@ -40,7 +50,12 @@ impl SceneSource {
         let checkpoint = path.join(CHECKPOINT);
         if !found.is_dir() || checkpoint.exists() {
             let file = if found.is_dir() { checkpoint } else { path.to_owned() };
-            return Ok(Self { named: path.to_owned(), file });
+            return Ok(Self { named: path.to_owned(), file, whole: None });
+        }
+        if Self::blocks(path)?.is_some() {
+            let reason = "these are the runs of a split, and the command takes one scene: name one of them. `render`, `film`, `view`, \
+                          `export-web`, `mesh`, `export` and `eval` take all as one scene";
+            return invalid(path, reason);
         }
         let reason = if path.join(CONFIG).exists() {
             format!(
@@ -56,9 +71,42 @@ impl SceneSource {
         Err(told_apart(error, path, FileKind::Scene))
     }
 
+    /// The blocks of a split in a folder of their runs, the first of which stands for all; `None` for every other path.
+    ///
+    /// # Errors
+    /// If blocks are missing, or belong to several splits.
+    pub fn blocks(path: &Path) -> Result<Option<Vec<Self>>> {
+        if path.join(CHECKPOINT).exists() || path.join(CONFIG).exists() {
+            return Ok(None);
+        }
+        let Some(blocks) = Block::all_in(path)? else { return Ok(None) };
+        let source = |(run, _): &(PathBuf, Block)| {
+            let file = run.join(CROPPED);
+            let found = fs::metadata(&file).map_err(|source| Error::read(&file, source));
+            found.map(|_| Self { named: run.clone(), file, whole: None })
+        };
+        let mut sources = blocks.iter().map(source).collect::<Result<Vec<_>>>()?;
+        let mut trained_on = TrainedOn::default();
+        for one in sources.iter().filter_map(|source| source.config()?.trained_on) {
+            let TrainedOn { seen, held_out, downscale, alpha_is_mask } = one;
+            trained_on.seen.extend(seen);
+            trained_on.held_out.extend(held_out);
+            trained_on = TrainedOn { downscale, alpha_is_mask, ..trained_on };
+        }
+        let data = blocks[0].1.data.clone();
+        sources[0].named = path.to_owned();
+        sources[0].whole = Some(Whole { data, trained_on });
+        Ok(Some(sources))
+    }
+
+    /// Whether this stands for all blocks of a split.
+    pub fn is_whole(&self) -> bool {
+        self.whole.is_some()
+    }
+
     /// A file or folder of another program, with the coordinates of the world.
     pub fn foreign(path: &Path) -> Self {
-        Self { named: path.to_owned(), file: path.to_owned() }
+        Self { named: path.to_owned(), file: path.to_owned(), whole: None }
     }
 
     /// Path of the scene's file.
@@ -88,7 +136,11 @@ impl SceneSource {
 
     /// The configuration of the scene. What is no file of organza has none, and is reported when it is read.
     pub fn config(&self) -> Option<SceneConfig> {
-        Scene::load_config(&self.file).ok()
+        let mut config = Scene::load_config(&self.file).ok()?;
+        if let Some(whole) = &self.whole {
+            config.trained_on = Some(whole.trained_on.clone());
+        }
+        Some(config)
     }
 
     /// Where the scene lies in the world.
@@ -98,6 +150,11 @@ impl SceneSource {
 
     /// The settings of the run, if the user named a run's folder.
     pub fn settings(&self) -> Result<Option<TrainConfig>> {
+        if let (Some(whole), Some(run)) = (&self.whole, self.file.parent()) {
+            let mut config = train::settings_of(run)?;
+            config.data.path = Some(whole.data.clone());
+            return Ok(Some(config));
+        }
         if self.named.join(CONFIG).exists() {
             return train::settings_of(&self.named).map(Some);
         }

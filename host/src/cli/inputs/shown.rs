@@ -24,10 +24,16 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// The arguments `SCENE [SCENE@PLACE.json]... [CAMERAS]`. Reads no scene yet.
+    /// The arguments `SCENE [SCENE@PLACE.json]... [CAMERAS]`. The runs of a split are one scene. Reads no scene yet.
     pub fn find(scene: &Path, others: &[PathBuf]) -> Result<Self> {
-        let source = SceneSource::find(scene)?;
+        let mut blocks = SceneSource::blocks(scene)?.unwrap_or_default().into_iter();
+        let source = blocks.next().map_or_else(|| SceneSource::find(scene), Ok)?;
         let mut beside = Vec::new();
+        for block in blocks {
+            let place = Place { same_world: true, ..Place::default() };
+            let placement = source.placement().place(&block.placement(), &place)?;
+            beside.push((block, place, placement));
+        }
         let mut cameras: Option<PathBuf> = None;
         for path in others {
             if let Some((path, file)) = placed(path) {
@@ -73,6 +79,17 @@ impl Shown {
             scene.put(args.upload(renderer, other)?, *placement)?;
         }
         Ok(scene)
+    }
+
+    /// The box of nearly all of the opacity of all scenes, in the first one's coordinates.
+    pub fn visible_box(&self, scenes: &[Scene]) -> [[f64; 3]; 2] {
+        let others = scenes[1..].iter().zip(&self.beside);
+        let others = others.map(|(scene, (.., place))| place.world_box(scene.visible_box()));
+        others.fold(scenes[0].visible_box(), |[low, high], [lowest, highest]| {
+            let ends = |axis: usize| [low[axis].min(lowest[axis]), high[axis].max(highest[axis])];
+            let [x, y, z] = [0, 1, 2].map(ends);
+            [0, 1].map(|end| [x[end], y[end], z[end]])
+        })
     }
 
     /// Names of the other scenes, and their places.

@@ -12,7 +12,7 @@ use organza::ranks::ThreadRanks;
 use organza::scene::Placement;
 use organza::train::config::{self, LearnExposure};
 use organza::train::report::Reporter;
-use organza::train::{CHECKPOINT, Event, Outcome, Session, TrainConfig, Watch};
+use organza::train::{CHECKPOINT, CROPPED, Event, Outcome, Session, TrainConfig, Watch};
 use organza::view::TrainingView;
 use organza::{Dataset, DeviceOptions, Renderer, Result, Scene};
 
@@ -170,6 +170,13 @@ impl TrainJob<'_> {
         };
         let outcome = run_with(session, others, self.resume, &mut |event| listeners.see(&event))?;
         listeners.progress.end(outcome);
+        if let Some(block) = dataset.block.as_ref().filter(|_| outcome != Outcome::Stopped) {
+            let mut scene = Scene::load(self.folder.join(CHECKPOINT))?;
+            block.crop(&mut scene)?;
+            scene.save(self.folder.join(CROPPED))?;
+            // last, as it says that the block is finished
+            block.save(self.folder)?;
+        }
         Ok(outcome)
     }
 }

@@ -1,5 +1,6 @@
 //! `organza train`: trains a scene on photographs.
 
+mod blocks;
 mod job;
 mod settings;
 
@@ -37,6 +38,7 @@ Examples:
   organza train data/fox -o run --start scene.ply      from Gaussians that another program has made
   organza train data/fox -o run --ranks 2              on two GPUs
   mpirun -n 8 organza train data/fox -o run --ranks mpi
+  organza train blocks -o runs                         the blocks of `organza split`, one after the other
   organza train --preset best --print-config > mine.toml
   organza eval run
 
@@ -49,7 +51,7 @@ held-out views), evaluations.csv (the scores of each held-out view), report.html
 #[command(after_help = EXAMPLES, after_long_help = long_help(EXAMPLES))]
 pub struct Args {
     /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json. Of a video or a folder of photographs,
-    /// RUN/data becomes the data set first, as by `organza capture`
+    /// RUN/data becomes the data set first, as by `organza capture`. Of the folder of a split, all blocks are trained
     /// [default: the built-in scene, with --preset built-in unless --config is given]
     data: Option<PathBuf>,
     /// The folder for the run; created if it does not exist
@@ -99,6 +101,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if !args.view && args.server.is_given() {
         return refuse("`--port`, `--bind` and `--open` are for the page of `--view`");
     }
+    if let Some(blocks) = args.data.as_deref().map(blocks::of_split).transpose()?.flatten() {
+        return blocks::train(args, &blocks, console);
+    }
     let Some(group) = args.ranks.start()? else { return lead(args, None, console) };
     if group.mine.rank() > 0 {
         return group.follow_process(&args.device);
@@ -115,35 +120,60 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 /// Trains as the first rank, or alone.
 fn lead(args: &Args, group: Option<RankGroup>, console: Console) -> Result<()> {
     let signals = Signals::listen()?;
-    let (folder, config, shrinks) = prepare(args, &signals, console)?;
-    let share = f64::from(args.view_share) / 100.0;
-    let job = TrainJob {
-        config,
-        folder: &folder,
-        resume: args.resume.is_some(),
-        shrinks,
-        scheduled: args.settings.minutes.map(|minutes| 60.0 * minutes),
-        time_limit: args.time_limit.map(f64::from),
-        view: args.view.then_some((&args.server, share)),
-        group,
-    };
-    let mut ended = Ended::default();
-    let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event));
-    let outcome = outcome.map_err(|error| with_resume(error, &folder))?;
-    console.note(&match outcome {
-        Outcome::Stopped => {
-            format!("saved; `organza train --resume {}` continues from here", quoted(&folder))
-        }
-        _ => {
-            format!(
-                "wrote {} and {}\nnext: organza view {}",
-                folder.join(CHECKPOINT).display(),
-                folder.join(REPORT).display(),
-                quoted(&folder)
-            )
-        }
-    });
-    if args.json { print_json(&ended.with_outcome(&folder, outcome)) } else { Ok(()) }
+    let prepared = prepare(args, &signals, console)?;
+    let ended = prepared.train(args, group, &signals, console)?;
+    if args.json { print_json(&ended) } else { Ok(()) }
+}
+
+/// A run that can begin or go on.
+struct Prepared {
+    folder: PathBuf,
+    config: TrainConfig,
+    /// Whether the folder has a run to resume.
+    resume: bool,
+    /// Whether photographs may shrink.
+    shrinks: bool,
+}
+
+impl Prepared {
+    /// Trains to the end, and says what comes next.
+    fn train(
+        self,
+        args: &Args,
+        group: Option<RankGroup>,
+        signals: &Signals,
+        console: Console,
+    ) -> Result<Ended> {
+        let Self { folder, config, resume, shrinks } = self;
+        let share = f64::from(args.view_share) / 100.0;
+        let job = TrainJob {
+            config,
+            folder: &folder,
+            resume,
+            shrinks,
+            scheduled: args.settings.minutes.map(|minutes| 60.0 * minutes),
+            time_limit: args.time_limit.map(f64::from),
+            view: args.view.then_some((&args.server, share)),
+            group,
+        };
+        let mut ended = Ended::default();
+        let outcome = job.run(&args.device, console, signals, &mut |event| ended.see(event));
+        let outcome = outcome.map_err(|error| with_resume(error, &folder))?;
+        console.note(&match outcome {
+            Outcome::Stopped => {
+                format!("saved; `organza train --resume {}` continues from here", quoted(&folder))
+            }
+            _ => {
+                format!(
+                    "wrote {} and {}\nnext: organza view {}",
+                    folder.join(CHECKPOINT).display(),
+                    folder.join(REPORT).display(),
+                    quoted(&folder)
+                )
+            }
+        });
+        Ok(ended.with_outcome(&folder, outcome))
+    }
 }
 
 /// The error, and what continues the run once a full disk has room again.
@@ -159,6 +189,9 @@ fn with_resume(error: Error, folder: &Path) -> Error {
         error => error,
     }
 }
+
+/// The outcome of a run that was stopped.
+const STOPPED: &str = "stopped";
 
 /// The output of `--json` at the end of a run.
 #[derive(Debug, Default, Serialize)]
@@ -193,7 +226,7 @@ impl Ended {
         let outcome = match outcome {
             Outcome::Finished => "finished",
             Outcome::TimeLimit => "time limit",
-            _ => "stopped",
+            _ => STOPPED,
         };
         let checkpoint = text_of(&folder.join(CHECKPOINT));
         let report = text_of(&folder.join(REPORT));
@@ -201,12 +234,8 @@ impl Ended {
     }
 }
 
-/// The run's folder and settings, and whether photographs may shrink. A video and photographs become a data set in the folder.
-fn prepare(
-    args: &Args,
-    signals: &Signals,
-    console: Console,
-) -> Result<(PathBuf, TrainConfig, bool)> {
+/// The run's folder and settings. A video and photographs become a data set in the folder.
+fn prepare(args: &Args, signals: &Signals, console: Console) -> Result<Prepared> {
     if let Some(folder) = &args.resume {
         if folder.join(CAPTURED).exists() && !folder.join(CONFIG).exists() {
             return refuse(format!(
@@ -218,7 +247,7 @@ fn prepare(
         }
         let config = args.settings.resumed(folder)?;
         check_place(&config.data, folder)?;
-        return Ok((folder.clone(), config, false));
+        return Ok(Prepared { folder: folder.clone(), config, resume: true, shrinks: false });
     }
     let folder = args.output.clone().expect("clap requires it");
     let (mut config, shrinks) = args.settings.settings(args.data.as_deref())?;
@@ -236,5 +265,5 @@ fn prepare(
         let source = args.data.as_deref().unwrap_or(&source);
         capture::for_training(source, &data, signals, console)?;
     }
-    Ok((folder, config, shrinks))
+    Ok(Prepared { folder, config, resume: false, shrinks })
 }

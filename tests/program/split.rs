@@ -1,7 +1,8 @@
 //! `organza split`, the training of its blocks, and their runs as one scene.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use image::{Rgb, RgbImage};
 use organza::data::Block;
@@ -106,10 +107,17 @@ fn blocks_are_trained_apart_and_shown_as_one_scene() {
     sandbox.run(&format!("{TRAIN} runs")).assert_ok().says(&["block-1 is finished already"]);
     assert!(before == sandbox.files(), "a finished block was trained");
 
-    // as an array of Slurm does it, with ranks, to the same bits
-    let job = "organza train blocks/block-$SLURM_ARRAY_TASK_ID -o array/block-$SLURM_ARRAY_TASK_ID --ranks 2";
-    let job = job.replace("organza", "\"$ORGANZA\"") + " --config tiny.toml --backend cpu";
-    sandbox.shell(&format!("set -e; for SLURM_ARRAY_TASK_ID in 1 0; do {job}; done")).assert_ok();
+    // as the page's array of Slurm does it, one of them twice, with ranks, to the same bits
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/cluster.md");
+    let page = fs::read_to_string(page).unwrap();
+    let job = page.split("```text").find(|block| block.contains("--array")).expect("a job");
+    let job = job.split("```").next().unwrap().replace("runs/", "array/");
+    let new = "case \"$*\" in *--resume*) ;; *) set -- \"$@\" --config tiny.toml --ranks 2; esac";
+    let program = format!("organza() {{ {new}; \"$ORGANZA\" \"$@\" --backend cpu; }}");
+    let array = "for SLURM_ARRAY_TASK_ID in 1 0 0; do";
+    sandbox
+        .shell(&format!("set -e; srun() {{ \"$@\"; }}; {program}; {array} {job} done"))
+        .assert_ok();
     for run in ["block-0", "block-1"] {
         let scene = |folder: &str| sandbox.read(&format!("{folder}/{run}/block.safetensors"));
         assert!(scene("runs") == scene("array"), "{run}");
@@ -233,7 +241,8 @@ fn blocks_and_runs_that_do_not_belong_together_are_refused() {
         (edited("split", json!("0123")), ["another split than", "move one of them away"]),
         (edited("index", json!(1)), ["block-0", "is the same block"]),
         (edited("index", json!(7)), ["block.json", "block 7 of 2"]),
-        (edited("blocks", json!(3)), ["of the 3 blocks", "block-2"]),
+        (edited("blocks", json!(3)), ["1 of the 3 blocks", "finished: block-2"]),
+        (edited("blocks", json!(u64::MAX)), ["missing or not finished: block-2", "block-9"]),
         (edited("data", json!("/none/here")), ["no longer at /none/here", "`data`"]),
         (edited("data", json!(here)), ["block.json", "is a block itself"]),
         (

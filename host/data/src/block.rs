@@ -18,6 +18,8 @@ use super::{Layout, Poses, folder_of, ply};
 pub const BLOCK: &str = "block.json";
 /// The points to start from, beside it.
 pub(super) const POINTS: &str = "points.ply";
+/// Most blocks that are named as missing.
+const MAX_NAMED: usize = 8;
 /// What the folder of a block and of its run is called, before its number.
 const NAME: &str = "block-";
 
@@ -104,15 +106,17 @@ impl Block {
             );
         }
         let is_missing = |index: &usize| found.iter().all(|(_, block)| block.index != *index);
-        let missing: Vec<_> = (0..*blocks).filter(is_missing).map(Self::name).collect();
-        if !missing.is_empty() {
-            let reason = format!(
-                "of the {blocks} blocks of this split, these are missing or not finished: {}",
-                missing.join(", ")
-            );
-            return invalid(folder, reason);
+        let missing = (0..*blocks).filter(is_missing).map(Self::name);
+        let named = missing.take(MAX_NAMED).collect::<Vec<_>>().join(", ");
+        match blocks.saturating_sub(found.len()) {
+            0 => Ok(Some(found)),
+            count => invalid(
+                folder,
+                format!(
+                    "{count} of the {blocks} blocks of this split are missing or not finished: {named}"
+                ),
+            ),
         }
-        Ok(Some(found))
     }
 
     /// Whether a place of the world belongs to the block. Each place belongs to one block of a split.

@@ -3,9 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, absolute};
 
+use glam::DVec3;
 use organza_core::camera::Target;
 use organza_core::error::invalid;
-use organza_core::scene::Placement;
 use organza_core::{Camera, Result};
 use rayon::prelude::*;
 use sha2::{Digest as _, Sha256};
@@ -42,13 +42,11 @@ pub struct Split {
     /// The points of each block, as indices of the data set's points: all in the block and in its border, and elsewhere those that
     /// its photographs show.
     pub points: Vec<Vec<usize>>,
-    /// The work in each block: the part of all photographs' images that shows it, 0 to 1.
-    pub work: Vec<f64>,
     /// Warnings.
     pub notes: Vec<String>,
 }
 
-/// What a photograph shows: places, and the indices of the points that lie there.
+/// What a photograph shows: places, and the indices of the points that lie at a quarter of them, if there are points.
 struct Look {
     places: Vec<[f64; 3]>,
     points: Vec<usize>,
@@ -65,34 +63,22 @@ impl Split {
     pub fn new(poses: &Poses, count: usize) -> Result<Self> {
         let dataset = &poses.dataset;
         if dataset.block.is_some() {
-            return invalid(
-                &dataset.path,
-                "this is a block already: split the whole data set into more",
-            );
+            return invalid(&dataset.path, "this is a block already: split its whole data set");
         }
         let poses = poses.cameras()?;
         let cameras: Vec<_> = poses.iter().map(|pose| pose.camera.clone()).collect();
         let looks = looks(&cameras, &dataset.points);
-        let all = looks.iter().flat_map(|look| &look.places);
-        let mut all: Vec<_> = all.map(|[x, y, _]| [*x, *y]).collect();
-        let extent = [0, 1].map(|axis| extent(&mut all, axis));
+        let places = looks.iter().flat_map(|look| &look.places);
+        let mut places: Vec<_> = places.map(|[x, y, _]| [*x, *y]).collect();
+        let lengths = [0, 1].map(|axis| extent(&mut places, axis));
         // what stands in a row has no width of its own
-        let [x, y] = extent.map(|length| length.max(extent[0].max(extent[1]) / count as f64));
-        let border = BORDER * (x * y / count as f64).sqrt();
+        let least = lengths[0].max(lengths[1]) / count as f64;
+        let area: f64 = lengths.iter().map(|length| length.max(least)).product();
+        let border = BORDER * (area / count as f64).sqrt();
         let mut notes = Vec::new();
         let mut sides = Vec::new();
-        cut(&mut all, [[None; 2]; 2], count, &mut sides, &mut notes);
-        let shares: Vec<_> =
-            cameras.iter().zip(&looks).map(|of| shares(of, &sides, border)).collect();
-        let taken = |block: usize| {
-            let takes = |share: &[f64]| {
-                let best =
-                    (0..count).fold(0, |best, at| if share[at] > share[best] { at } else { best });
-                block == best || share[block] >= MIN_SHARE
-            };
-            (0..cameras.len()).filter(|&camera| takes(&shares[camera])).collect::<Vec<_>>()
-        };
-        let taken: Vec<_> = (0..count).map(taken).collect();
+        cut(&mut places, [[None; 2]; 2], count, &mut sides, &mut notes);
+        let taken = photographs(&cameras, &looks, &sides);
         let trains = |of: &Vec<usize>| of.iter().any(|&camera| !poses[camera].held_out);
         if let Some(block) = taken.iter().position(|of| !trains(of)) {
             let name = Block::name(block);
@@ -102,58 +88,46 @@ impl Split {
             return invalid(&dataset.path, reason);
         }
         notes.extend(doubts(&cameras, &taken, &sides));
-        let block = |(index, sides): (usize, &Sides)| Block {
+        let points = |(sides, taken): (&Sides, &Vec<usize>)| {
+            let is_inside = |point: &Point| is_within(*sides, border, point.position);
+            let all = dataset.points.iter().enumerate();
+            let inside = all.filter(|(_, point)| is_inside(point)).map(|(index, _)| index);
+            let shown = taken.iter().flat_map(|&camera| looks[camera].points.iter().copied());
+            inside.chain(shown).collect::<BTreeSet<_>>().into_iter().collect()
+        };
+        let points = sides.iter().zip(&taken).map(points).collect();
+        let names = |of: &Vec<usize>| {
+            of.iter().filter_map(|&camera| cameras[camera].file_path.clone()).collect()
+        };
+        let block = |(index, sides): (usize, Sides)| Block {
             split: String::new(),
             index,
             blocks: count,
             data: absolute(&dataset.path).unwrap_or_else(|_| dataset.path.clone()),
             placement: dataset.placement,
-            sides: *sides,
+            sides,
             border,
-            frames: taken[index]
-                .iter()
-                .filter_map(|&camera| cameras[camera].file_path.clone())
-                .collect(),
+            frames: names(&taken[index]),
         };
-        let mut blocks: Vec<_> = sides.iter().enumerate().map(block).collect();
-        let told =
-            |block: &Block| format!("{:?}{:?}{:?}", block.placement, block.sides, block.frames);
-        let split = blocks.iter().fold(Sha256::new(), |hash, block| hash.chain_update(told(block)));
-        let split = digits(split, 16);
+        let mut blocks: Vec<_> = sides.iter().copied().enumerate().map(block).collect();
+        let told = |of: &Block| format!("{:?}{:?}{:?}", of.placement, of.sides, of.frames);
+        let hash = blocks.iter().fold(Sha256::new(), |hash, block| hash.chain_update(told(block)));
+        let split = digits(hash, 16);
         blocks.iter_mut().for_each(|block| block.split.clone_from(&split));
-        let points = |(sides, taken): (&Sides, &Vec<usize>)| {
-            let inside = (0..dataset.points.len())
-                .filter(|&point| is_within(*sides, border, dataset.points[point].position));
-            let shown = taken.iter().flat_map(|&camera| looks[camera].points.iter().copied());
-            inside.chain(shown).collect::<BTreeSet<_>>().into_iter().collect()
-        };
-        let points = sides.iter().zip(&taken).map(points).collect();
-        let work = (0..count).map(|block| {
-            let own = |look: &&Look| {
-                look.places.iter().filter(|place| is_within(sides[block], 0.0, **place)).count()
-            };
-            looks.iter().map(|look| own(&look)).sum::<usize>() as f64 / all.len().max(1) as f64
-        });
-        let work = work.collect();
-        Ok(Self { blocks, cameras: taken, points, work, notes })
+        Ok(Self { blocks, cameras: taken, points, notes })
     }
 
-    /// Writes a block's files to its folder, which exists. `points` and `placement` are the data set's.
+    /// Writes a block's files to its folder, which exists. `poses` is the data set that was split.
     ///
     /// # Errors
     /// [`Error::WriteFile`](organza_core::Error::WriteFile).
-    pub fn save(
-        &self,
-        index: usize,
-        folder: &Path,
-        points: &[Point],
-        placement: &Placement,
-    ) -> Result<()> {
-        let points = self.points[index].iter().map(|&point| {
-            let Point { position, color } = points[point];
-            Point { position: placement.world(position), color }
-        });
-        let points: Vec<_> = points.collect();
+    pub fn save(&self, index: usize, folder: &Path, poses: &Poses) -> Result<()> {
+        let dataset = &poses.dataset;
+        let in_world = |&point: &usize| {
+            let Point { position, color } = dataset.points[point];
+            Point { position: dataset.placement.world(position), color }
+        };
+        let points: Vec<_> = self.points[index].iter().map(in_world).collect();
         if !points.is_empty() {
             ply::write(&folder.join(POINTS), &points)?;
         }
@@ -172,16 +146,14 @@ fn looks(cameras: &[Camera], points: &[Point]) -> Vec<Look> {
     };
     let look = |camera: &Camera| {
         if points.is_empty() {
-            let ray = |at: usize| {
+            let eye = DVec3::from(camera.eye());
+            let along = |at: usize| {
                 let [x, y] = [at % CELLS, at / CELLS].map(|at| (at as f64 + 0.5) / CELLS as f64);
-                camera.ray([x * f64::from(camera.width), y * f64::from(camera.height)])
+                let ray = camera.ray([x * f64::from(camera.width), y * f64::from(camera.height)]);
+                DISTANCES.map(|times| (eye + times * distance * ray).to_array())
             };
-            let places = (0..CELLS * CELLS).map(ray).flat_map(|ray| {
-                DISTANCES.map(|times| {
-                    (ray * times * distance + glam::DVec3::from(camera.eye())).to_array()
-                })
-            });
-            return Look { places: places.collect(), points: Vec::new() };
+            let places = (0..CELLS * CELLS).flat_map(along).collect();
+            return Look { places, points: Vec::new() };
         }
         let mut nearest = BTreeMap::new();
         for (index, point) in points.iter().enumerate().step_by(stride) {
@@ -191,22 +163,32 @@ fn looks(cameras: &[Camera], points: &[Point]) -> Vec<Look> {
                 *found = (depth, index);
             }
         }
-        let points_of: Vec<_> = nearest.into_values().map(|(_, index)| index).collect();
-        let places = points_of.iter().map(|&index| points[index].position).collect();
-        Look { places, points: points_of }
+        let places = nearest.values().map(|(_, index)| points[*index].position).collect();
+        let coarse = nearest.iter().filter(|([row, column], _)| row % 2 + column % 2 == 0);
+        Look { places, points: coarse.map(|(_, (_, index))| *index).collect() }
     };
     cameras.par_iter().map(look).collect()
 }
 
-/// The part of a photograph's places that lies in each block or its border. A photograph that shows no point counts where it was taken.
-fn shares((camera, look): (&Camera, &Look), sides: &[Sides], border: f64) -> Vec<f64> {
-    let eye = [camera.eye()];
-    let places = if look.places.is_empty() { &eye[..] } else { &look.places };
-    let share = |sides: &Sides| {
-        places.iter().filter(|place| is_within(*sides, border, **place)).count() as f64
-            / places.len() as f64
-    };
-    sides.iter().map(share).collect()
+/// The photographs of each block: those of which it fills enough, and those that show it most. A photograph that shows no point counts where
+/// it was taken.
+fn photographs(cameras: &[Camera], looks: &[Look], sides: &[Sides]) -> Vec<Vec<usize>> {
+    let mut taken = vec![Vec::new(); sides.len()];
+    for (index, (camera, look)) in cameras.iter().zip(looks).enumerate() {
+        let eye = [camera.eye()];
+        let places = if look.places.is_empty() { &eye[..] } else { &look.places };
+        let shown =
+            |sides: &Sides| places.iter().filter(|place| is_within(*sides, 0.0, **place)).count();
+        let shown: Vec<_> = sides.iter().map(shown).collect();
+        let most = shown.iter().max();
+        let first = shown.iter().position(|part| Some(part) == most);
+        for (block, part) in shown.iter().enumerate() {
+            if Some(block) == first || *part as f64 >= MIN_SHARE * places.len() as f64 {
+                taken[block].push(index);
+            }
+        }
+    }
+    taken
 }
 
 /// The length along an axis of most of the places, which are sorted.

@@ -27,12 +27,11 @@ pub fn write_split_report(
     points: &[Point],
 ) -> Result<()> {
     let title = split.blocks[0].data.display().to_string();
-    let titles = ["block", "work", "photographs", "points"].map(str::to_owned);
+    let titles = ["block", "photographs", "points"].map(str::to_owned);
     let row = |block: &Block| {
         let at = block.index;
         let photographs = format!("{} of {}", split.cameras[at].len(), cameras.len());
-        let work = format!("{:.0}%", 100.0 * split.work[at]);
-        vec![Block::name(at), work, photographs, split.points[at].len().to_string()]
+        vec![Block::name(at), photographs, split.points[at].len().to_string()]
     };
     let rows: Vec<_> = split.blocks.iter().map(row).collect();
     let body = html! {
@@ -40,7 +39,7 @@ pub fn write_split_report(
         @for note in &split.notes { p.note { (clean(note)) } }
         (section("From above", &picture(split, cameras, points)))
         (section("Blocks", &table("scores", &titles, 1, &rows)))
-        p.note { "Work is the part of all photographs that shows a block. A photograph belongs to each block that it looks into." }
+        p.note { "A photograph belongs to each block that it looks into." }
     };
     let html = page(&format!("{title} – organza"), &Charts::default(), &body);
     write_inside(path, |writer| writer.write_all(html.as_bytes()))
@@ -51,28 +50,28 @@ fn picture(split: &Split, cameras: &[Camera], points: &[Point]) -> Markup {
     let every = points.len().div_ceil(MAX_POINTS).max(1);
     let dots: Vec<_> = points.iter().step_by(every).map(|point| flat(point.position)).collect();
     let eyes: Vec<_> = cameras.iter().map(|camera| flat(camera.eye())).collect();
-    let sides = split.blocks.iter().flat_map(|block| block.sides);
-    let middle = |axis: usize| {
-        let ends = sides.clone().filter_map(move |side| side[axis]);
-        let mut all: Vec<_> = dots.iter().chain(&eyes).map(|place| place[axis]).collect();
-        all.sort_by(f64::total_cmp);
-        // a few far points would make everything else small
-        let out = all.len() / 50;
-        let [first, last] = [all[out], all[all.len() - 1 - out]];
-        let eyes = eyes.iter().map(|eye| eye[axis]).chain(ends);
-        eyes.fold([first, last], |[low, high], at| [low.min(at), high.max(at)])
+    let sides = |axis: usize| {
+        let of = split.blocks.iter().flat_map(|block| block.sides);
+        of.filter_map(move |side| side[axis])
     };
-    let ends = [middle(0), middle(1)];
+    let ends = [0, 1].map(|axis| {
+        let mut along: Vec<_> = dots.iter().chain(&eyes).map(|place| place[axis]).collect();
+        along.sort_by(f64::total_cmp);
+        // a few far points would make everything else small
+        let out = along.len() / 50;
+        let most = [along[out], along[along.len() - 1 - out]];
+        let known = eyes.iter().map(|eye| eye[axis]).chain(sides(axis));
+        known.fold(most, |[low, high], at| [low.min(at), high.max(at)])
+    });
     let length = ends.map(|[low, high]| (high - low).max(1e-9));
     let unit = SIZE / (1.1 * length[0].max(length[1]));
     let from = [0, 1].map(|axis| ends[axis][0] - 0.05 * length[axis]);
-    let size = [0, 1].map(|axis| (1.1 * unit * length[axis]).max(40.0));
+    let size = length.map(|length| (1.1 * unit * length).max(40.0));
     // y is up
     let at = |[x, y]: [f64; 2]| [unit * (x - from[0]), size[1] - unit * (y - from[1])];
     let block = |block: &Block| {
-        let side = |end: usize, axis: usize| block.sides[end][axis];
-        let x = |end: usize, open: f64| side(end, 0).map_or(open, |x| at([x, 0.0])[0]);
-        let y = |end: usize, open: f64| side(end, 1).map_or(open, |y| at([0.0, y])[1]);
+        let x = |end: usize, open: f64| block.sides[end][0].map_or(open, |x| at([x, 0.0])[0]);
+        let y = |end: usize, open: f64| block.sides[end][1].map_or(open, |y| at([0.0, y])[1]);
         let [left, right] = [x(0, 0.0), x(1, size[0])];
         let [top, bottom] = [y(1, 0.0), y(0, size[1])];
         html! {

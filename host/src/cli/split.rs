@@ -1,7 +1,7 @@
 //! `organza split`: a capture that is larger than a machine, in blocks.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use organza::data::{Block, DatasetOptions, Pose, Poses, Split};
 use organza::train::REPORT;
@@ -57,14 +57,17 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let cameras = poses.cameras()?;
     let blocks = number_of_blocks(args, &poses, &cameras)?;
     let split = console.during("splitting", || Split::new(&poses, blocks))?;
+    if fs::read_dir(&args.output).is_ok_and(|mut entries| entries.next().is_some()) {
+        let output = args.output.display();
+        return refuse(format!("{output} has files already; choose another folder"));
+    }
     let mut folder = Folder::make(&args.output)?;
     folder.lock()?;
-    refuse_filled(folder.path())?;
     let points = &poses.dataset.points;
     for block in &split.blocks {
         let path = folder.join(&Block::name(block.index));
         fs::create_dir(&path).map_err(|source| Error::write(&path, source))?;
-        split.save(block.index, &path, points, &poses.dataset.placement)?;
+        split.save(block.index, &path, &poses)?;
     }
     let seen: Vec<Camera> = cameras.into_iter().map(|pose| pose.camera).collect();
     write_split_report(&folder.file(REPORT)?, &split, &seen, points)?;
@@ -101,20 +104,6 @@ fn number_of_blocks(args: &Args, poses: &Poses, cameras: &[Pose]) -> Result<usiz
         2..=10_000 => Ok(blocks),
         _ => refuse(format!(
             "{blocks} blocks are too many, at most 10,000: raise `--gaussians-per-block`"
-        )),
-    }
-}
-
-/// Fails if a folder has files already.
-fn refuse_filled(folder: &Path) -> Result<()> {
-    let entries = fs::read_dir(folder).map_err(|source| Error::read(folder, source))?;
-    let is_visible = |name: &std::ffi::OsString| !name.to_string_lossy().starts_with('.');
-    match entries.flatten().map(|entry| entry.file_name()).find(is_visible) {
-        None => Ok(()),
-        Some(name) => refuse(format!(
-            "{} has files already, such as {}; choose another folder",
-            folder.display(),
-            name.display()
         )),
     }
 }

@@ -7,7 +7,7 @@ use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
 
 use crate::pass::part::Part;
-use crate::stages::composite::OtherScene;
+use crate::stages::tiles::TileBins;
 use muslin_device::{Buffer, Device};
 use organza_core::{Camera, Result};
 
@@ -38,28 +38,26 @@ pub struct PartSplats {
 
 impl PartSplats {
     pub fn read(device: &Device, part: &Part) -> Result<Self> {
-        Ok(Self {
-            pair: device.read(&part.bins.pairs.pair)?,
-            first: device.read(&part.bins.tile_first)?,
-            intersection: device.read(&part.bins.intersection)?,
-            splat: device.read(&part.composite.splat)?,
-            slope: part.composite.read_slopes(device)?,
-        })
+        let own = Self::of(device, &part.bins, &part.composite.splat)?;
+        Ok(Self { slope: part.composite.read_slopes(device)?, ..own })
     }
 
-    /// Those of each scene of a part: the first, and those that are shown with it, which have no slopes here.
+    /// Those of each scene that a part shows, the first one's first, without slopes.
     pub fn read_all(device: &Device, part: &Part) -> Result<Vec<Self>> {
-        let other = |(other, splat): (&OtherScene, &Buffer<Vec4>)| {
-            Ok(Self {
-                pair: device.read(&other.bins.pairs.pair)?,
-                first: device.read(&other.bins.tile_first)?,
-                intersection: device.read(&other.bins.intersection)?,
-                splat: device.read(splat)?,
-                slope: Vec::new(),
-            })
-        };
-        let others = part.beside.iter().zip(&part.composite.others).map(other);
-        std::iter::once(Self::read(device, part)).chain(others).collect()
+        let beside = part.beside.iter().map(|other| &other.bins);
+        let bins = std::iter::once(&part.bins).chain(beside);
+        let splats = std::iter::once(&part.composite.splat).chain(&part.composite.others);
+        bins.zip(splats).map(|(bins, splats)| Self::of(device, bins, splats)).collect()
+    }
+
+    fn of(device: &Device, bins: &TileBins, splats: &Buffer<Vec4>) -> Result<Self> {
+        Ok(Self {
+            pair: device.read(&bins.pairs.pair)?,
+            first: device.read(&bins.tile_first)?,
+            intersection: device.read(&bins.intersection)?,
+            splat: device.read(splats)?,
+            slope: Vec::new(),
+        })
     }
 
     /// The Gaussians of a part's tile, with their splats.

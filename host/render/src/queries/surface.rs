@@ -232,10 +232,12 @@ fn reach(
 
 #[cfg(test)]
 mod tests {
+    use std::f32::consts::LN_2;
+
     use muslin_check::devices;
 
     use super::*;
-    use organza_core::scene::Scene;
+    use organza_core::scene::{Placement, Scene};
 
     /// By sorting, as it is defined.
     #[test]
@@ -275,8 +277,22 @@ mod tests {
         let up = [0.0, 1.0, 0.0];
         let camera = Camera::look_at([0.0, 0.0, 4.0], [0.0; 3], up, 0.4, [40, 30]).unwrap();
         let renderer = Renderer::new(devices::cpu(Some(1)));
+        // every second row as a scene of its own, of half the size
+        let part = |rows: std::ops::Range<usize>| Scene {
+            gaussians: scene.gaussians.select(&rows.step_by(2).collect::<Vec<_>>()),
+            ..scene.clone()
+        };
+        let mut other = part(1..41 * 41);
+        other.gaussians.position.as_flattened_mut().iter_mut().for_each(|x| *x *= 0.5);
+        other.gaussians.log_scale.as_flattened_mut().iter_mut().for_each(|x| *x -= LN_2);
+        let mut both = renderer.upload(&part(0..41 * 41)).unwrap();
+        let place = Placement { scale: 2.0, ..Placement::default() };
+        both.put(renderer.upload(&other).unwrap(), place).unwrap();
         let scene = renderer.upload(&scene).unwrap();
         let found = renderer.surface(&scene, &camera).unwrap();
+        let together = renderer.surface(&both, &camera).unwrap().depth;
+        let pairs = together.iter().zip(&found.depth);
+        assert!(pairs.into_iter().all(|(both, one)| (both - one).abs() < 1e-3));
         let normal = tilt * DVec3::Z;
         for (at, &depth) in found.depth.iter().enumerate() {
             let ray = camera.ray([at % 40, at / 40].map(|at| at as f64 + 0.5));

@@ -45,7 +45,7 @@ pub(super) fn write(path: &Path, points: &[Point]) -> Result<()> {
     write_inside(path, |writer| {
         let count = points.len();
         write!(writer, "ply\nformat binary_little_endian 1.0\nelement vertex {count}\n{position}")?;
-        write!(writer, "{}end_header\n", if colored { &color } else { "" })?;
+        writeln!(writer, "{}end_header", if colored { &color } else { "" })?;
         for Point { position, color } in points {
             position.iter().try_for_each(|value| writer.write_all(&value.to_le_bytes()))?;
             writer.write_all(color.as_ref().filter(|_| colored).map_or(&[], |color| color))?;

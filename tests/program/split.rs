@@ -143,7 +143,7 @@ fn blocks_are_trained_apart_and_shown_as_one_scene() {
     sandbox.run("film runs -o film --frames 2 --size 32x32 --backend cpu").assert_ok();
     sandbox.run("export-web runs -o page --size 64x48 --backend cpu").assert_ok();
     sandbox.run("export runs -o all.ply --steps 0 --side 32 --backend cpu").assert_ok();
-    let exported = organza::splats::load(&sandbox.path("all.ply")).unwrap();
+    let exported = organza::splats::load(sandbox.path("all.ply")).unwrap();
     for own in &blocks {
         let inside = |splat: &organza::splats::Splat| own.has(splat.position.map(f64::from));
         assert!(exported.splats.iter().any(inside), "the file lacks a block");

@@ -1,6 +1,6 @@
 //! What a kernel binds, on the CPU: buffers, parameters and workgroup memory.
 
-use core::slice;
+use core::{ptr, slice};
 
 use bytemuck::Pod;
 
@@ -93,3 +93,23 @@ impl<'a> CpuBinding<'a> {
         unsafe { Shared::from_raw(self.data.cast()) }.monitored(self.monitor)
     }
 }
+
+impl<'a, T: Params> From<&'a T> for CpuBinding<'a> {
+    fn from(params: &'a T) -> Self {
+        Self { data: ptr::from_ref(params).cast_mut().cast(), bytes: size_of::<T>(), monitor: None }
+    }
+}
+
+/// The bindings of views.
+macro_rules! impl_from {
+    ($($view:ident $(<$n:ident>)? $(.$field:tt)?),*) => {$(
+        impl<'a, T: Copy $(, const $n: usize)?> From<$view<'a, T $(, $n)?>> for CpuBinding<'a> {
+            fn from(view: $view<'a, T $(, $n)?>) -> Self {
+                let (data, len, monitor) = view$(.$field)?.parts();
+                Self { data: data.cast(), bytes: len * size_of::<T>(), monitor }
+            }
+        }
+    )*};
+}
+
+impl_from!(Read, Write, Packed.0, Shared<N>.0);

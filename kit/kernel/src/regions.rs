@@ -1,7 +1,31 @@
 //! Workgroups with barriers on the CPU, without coroutines: `#[kernel]` cuts a kernel at its barriers into regions, and each region is a loop
 //! over the invocations. What lives across a barrier is in arrays, [`PerInvocation`].
 //!
-//! A kernel that cannot be cut runs as [coroutines](crate::workgroup). Both find the same mistakes.
+//! A kernel that cannot be cut runs as [coroutines](crate::workgroup). Both find the same mistakes. `#[kernel]` sees no types, so it does not see
+//! what a method of one's own borrows. Rust tells it, and then the kernel says `coroutines`:
+//!
+//! ```compile_fail,E0597
+//! # extern crate muslin_kernel as muslin;
+//! use muslin::prelude::*;
+//!
+//! struct Sum(u32);
+//!
+//! impl Sum {
+//!     fn place(&mut self) -> &mut u32 {
+//!         &mut self.0
+//!     }
+//! }
+//!
+//! #[kernel(threads(64), storage_barriers)]
+//! pub fn keeps_a_borrow(id: Invocation, data: Write<u32>) {
+//!     let mut sum = Sum(1);
+//!     let place = sum.place();
+//!     id.storage_barrier();
+//!     *place += 1;
+//!     data.write(id.index(), sum.0);
+//! }
+//! # fn main() {}
+//! ```
 
 extern crate std;
 
@@ -64,7 +88,7 @@ pub struct Regions<'a> {
 /// Runs a workgroup region by region.
 ///
 /// # Safety
-/// The same as for [`CpuRun`](crate::kernel::CpuRun), with the bindings alone.
+/// The same as for [`CpuRun`](crate::kernel::CpuRun), with the bindings alone: where it is watched, workgroup memory may follow them.
 pub type RegionsRun = unsafe fn(&Regions<'_>, &[CpuBinding]) -> Result<(), Failure>;
 
 /// A kernel that is cut at its barriers.
@@ -126,13 +150,9 @@ pub unsafe fn run_regions(
     phase::begin(size);
     conflict::take();
     let watches = workgroup_memory::take(if is_watched { shared } else { &[] });
-    let turns = turns(size);
-    let regions = Regions::new(first, order, &watches, &turns);
     // SAFETY: the caller's
-    let run = || unsafe { (runs.watched)(&regions, bindings) };
-    let result = catch_unwind(AssertUnwindSafe(run));
+    let result = unsafe { run_watched(runs.watched, bindings, first, order, &watches) };
     workgroup_memory::give_back(watches);
-    TURNS.set((size, turns));
     if let Ok(Err(failure)) = result {
         return Err(failure.message(workgroup));
     }
@@ -142,6 +162,25 @@ pub unsafe fn run_regions(
         (None, Err(panic)) => resume_unwind(panic),
         (None, Ok(_)) => Ok(()),
     }
+}
+
+/// Runs a workgroup in its phase. `first` is its first invocation.
+///
+/// # Safety
+/// The same as for [`RegionsRun`].
+pub(crate) unsafe fn run_watched(
+    run: RegionsRun,
+    bindings: &[CpuBinding],
+    first: Invocation,
+    order: Option<&[u64]>,
+    watches: &[WorkgroupMemory],
+) -> std::thread::Result<Result<(), Failure>> {
+    let turns = turns(first.size);
+    let regions = Regions::new(first, order, watches, &turns);
+    // SAFETY: the caller's
+    let result = catch_unwind(AssertUnwindSafe(|| unsafe { run(&regions, bindings) }));
+    TURNS.set((first.size, turns));
+    result
 }
 
 impl<'a> Regions<'a> {
@@ -308,6 +347,12 @@ impl<T, const N: usize> PerInvocation<T, N> {
     #[inline(always)]
     #[expect(clippy::new_without_default, reason = "generated code calls it")]
     pub fn new() -> Self {
+        const {
+            assert!(
+                !mem::needs_drop::<T>(),
+                "what a kernel keeps across a barrier is dropped: say `#[kernel(.., coroutines)]`"
+            );
+        }
         let uninit = || UnsafeCell::new(MaybeUninit::uninit());
         let heap = if Self::IS_VECTOR { None } else { Some((0..N).map(|_| uninit()).collect()) };
         Self { vectors: UnsafeCell::new(MaybeUninit::uninit()), heap }

@@ -135,12 +135,17 @@ impl PanicContext {
         );
         Self(RunningInvocation { kernel, id, is_checked: false, is_additional: false })
     }
+
+    /// Prints the invocation.
+    pub(crate) fn tell(&self) {
+        std::eprintln!("in kernel `{}`, {}", self.0.kernel, self.0);
+    }
 }
 
 impl Drop for PanicContext {
     fn drop(&mut self) {
         if std::thread::panicking() && WORKGROUP.get().is_none() && !SILENT.get() {
-            std::eprintln!("in kernel `{}`, {}", self.0.kernel, self.0);
+            self.tell();
         }
     }
 }

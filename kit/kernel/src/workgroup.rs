@@ -1,7 +1,7 @@
 //! Workgroups with barriers on the CPU: each invocation is a coroutine that yields at them.
 //!
-//! A device runs a kernel this way if `#[kernel]` cannot cut it into [regions](crate::regions). A unit test beside a kernel runs every
-//! kernel this way, with [`Workgroup`]:
+//! A device runs a kernel this way if `#[kernel]` cannot cut it into [regions](crate::regions). So does [`Workgroup`], for a unit test beside
+//! a kernel. In a debug build it runs the regions of a kernel that is cut, if all invocations call that with the same arguments:
 //!
 //! ```
 //! # extern crate muslin_kernel as muslin;
@@ -43,8 +43,8 @@ use crate::binding::{CpuBinding, SharedInfo};
 use crate::conflict;
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Shared};
-use crate::regions::Failure;
-use crate::running::{self, unlinear};
+use crate::regions::{self, Failure, RegionsRun};
+use crate::running::{self, PanicContext, unlinear};
 use crate::stop::{Meeting, Stop, barrier_is_reached, subgroups_meet};
 use crate::subgroup::operation::Operation;
 use crate::workgroup_memory::{self, UNWRITTEN, WorkgroupMemory};
@@ -63,6 +63,78 @@ std::thread_local! {
     static SUBGROUP_SIZE: Cell<Option<u32>> = const { Cell::new(None) };
     /// What the invocation that stops gives to its subgroup, and what the one that goes on gets from it.
     static MEETING: Cell<Option<Meeting>> = const { Cell::new(None) };
+    /// What the invocation that stops calls.
+    static CALL: Cell<*const Call<'static>> = const { Cell::new(ptr::null()) };
+    /// Whether what the invocations called has run.
+    static HAS_RUN: Cell<bool> = const { Cell::new(false) };
+}
+
+/// A call of a kernel that is cut into regions.
+struct Call<'a> {
+    kernel: &'static str,
+    run: RegionsRun,
+    id: Invocation,
+    /// The arguments: bindings, and then workgroup memory.
+    bindings: &'a [CpuBinding<'a>],
+}
+
+impl Call<'_> {
+    /// Whether another invocation calls the same kernel with the same arguments.
+    fn is_same(&self, other: &Self) -> bool {
+        let monitor = |binding: &CpuBinding<'_>| {
+            binding.monitor.map_or(ptr::null(), |monitor| ptr::from_ref(monitor).cast::<()>())
+        };
+        let same = |(one, other): (&CpuBinding<'_>, &CpuBinding<'_>)| {
+            (one.data, one.bytes, monitor(one)) == (other.data, other.bytes, monitor(other))
+        };
+        ptr::fn_addr_eq(self.run, other.run)
+            && self.bindings.len() == other.bindings.len()
+            && self.bindings.iter().zip(other.bindings).all(same)
+    }
+}
+
+/// Runs the kernel that an invocation of a test calls, together with all other invocations, region by region. Returns whether it has run: if
+/// they do not all call the same, each runs its own.
+#[doc(hidden)]
+pub fn run_together(
+    kernel: &'static str,
+    run: RegionsRun,
+    id: Invocation,
+    bindings: &[CpuBinding<'_>],
+) -> bool {
+    // a device has chosen already
+    if CURRENT.get().is_null() || running::current().is_some() {
+        return false;
+    }
+    let call = Call { kernel, run, id, bindings };
+    CALL.set(ptr::from_ref(&call).cast());
+    suspend(Location::caller());
+    HAS_RUN.get()
+}
+
+/// Runs what all invocations of a workgroup call, if all call the same. `place` is the first invocation.
+fn run_called(calls: &[&Call<'_>], place: Invocation) -> std::thread::Result<Result<(), Failure>> {
+    let Some(first) = calls.first() else { return Ok(Ok(())) };
+    let is_usual = |(index, call): (u64, &&Call<'_>)| {
+        let id = call.id;
+        let parts = |id: Invocation| [id.workgroup, id.workgroups, id.size, UVec3::splat(id.each)];
+        let is_own = id.local == unlinear(index, place.size) && parts(id) == parts(place);
+        is_own && ptr::fn_addr_eq(id.wait, wait as fn(_)) && call.is_same(first)
+    };
+    let all = calls.len() == place.size.element_product() as usize;
+    HAS_RUN.set(all && (0..).zip(calls).all(is_usual));
+    if !HAS_RUN.get() {
+        return Ok(Ok(()));
+    }
+    running::enter(0);
+    // SAFETY: the arguments of a call of this kernel, whose invocations wait
+    let result = unsafe { regions::run_watched(first.run, first.bindings, place, None, &[]) };
+    if result.is_err() {
+        let local = unlinear(running::invocation().into(), place.size);
+        let id = Invocation { local, ..place };
+        PanicContext::new(first.kernel, id, place.size.to_array()).tell();
+    }
+    result
 }
 
 /// Suspends the current coroutine until its workgroup has reached the barrier.
@@ -185,23 +257,29 @@ fn run_to_end(
     // empty without subgroups
     let mut meetings = vec![None; subgroup_size.map_or(0, |_| invocations.len())];
     loop {
-        if let Err(panic) = go_on(&mut invocations, &mut stops, &mut meetings, order) {
-            give_up(invocations);
-            // it may have panicked because of a wrong value
-            match conflict::take() {
-                Some(conflict) => return Err(Failure::Memory(conflict)),
-                None => resume_unwind(panic),
-            }
-        }
+        let calls = go_on(&mut invocations, &mut stops, &mut meetings, order);
+        let called = calls.and_then(|calls| Ok((run_called(&calls, place)?, !calls.is_empty())));
         let subgroups = |of| subgroups_meet(size, of, &mut stops, &mut meetings);
-        let failure = match subgroup_size.map_or(Ok(false), subgroups) {
-            // those that wait at barriers go on waiting
-            Ok(true) => continue,
-            Ok(false) => match barrier_is_reached(size, &stops) {
-                Ok(()) => conflict::take().map(Failure::Memory),
+        let failure = match called {
+            Err(panic) => match conflict::take() {
+                // it may have panicked because of a wrong value
+                Some(conflict) => Some(Failure::Memory(conflict)),
+                None => {
+                    give_up(invocations);
+                    resume_unwind(panic)
+                }
+            },
+            Ok((Err(failure), _)) => Some(failure),
+            Ok((Ok(()), true)) => continue,
+            Ok((Ok(()), false)) => match subgroup_size.map_or(Ok(false), subgroups) {
+                // those that wait at barriers go on waiting
+                Ok(true) => continue,
+                Ok(false) => match barrier_is_reached(size, &stops) {
+                    Ok(()) => conflict::take().map(Failure::Memory),
+                    Err(reason) => Some(Failure::Divergence(reason)),
+                },
                 Err(reason) => Some(Failure::Divergence(reason)),
             },
-            Err(reason) => Some(Failure::Divergence(reason)),
         };
         if let Some(failure) = failure {
             give_up(invocations);
@@ -220,14 +298,15 @@ fn run_to_end(
     Ok(())
 }
 
-/// Runs each invocation that does not wait to its next stop, or to its end.
+/// Runs each invocation that does not wait to its next stop, or to its end. Returns the calls that some stop at: these go on next time.
 #[inline(always)]
 fn go_on(
     invocations: &mut [Body],
     stops: &mut [Option<Stop>],
     meetings: &mut [Option<Meeting>],
     order: Option<&[u64]>,
-) -> std::thread::Result<()> {
+) -> std::thread::Result<Vec<&'static Call<'static>>> {
+    let mut calls = Vec::new();
     for step in 0..invocations.len() {
         let index = order.map_or(step, |order| order[step] as usize);
         let invocation = &mut invocations[index];
@@ -237,13 +316,18 @@ fn go_on(
         if let Some(meeting) = meetings.get(index) {
             MEETING.set(*meeting);
         }
-        stops[index] = catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield()))?;
+        let stop = catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield()))?;
+        // SAFETY: null, or what the coroutine keeps while it waits
+        match unsafe { CALL.replace(ptr::null()).as_ref() } {
+            Some(call) => calls.push(call),
+            None => stops[index] = stop,
+        }
         if let Some(meeting) = meetings.get_mut(index) {
             *meeting = MEETING.take();
         }
     }
     CURRENT.set(ptr::null());
-    Ok(())
+    Ok(calls)
 }
 
 /// Ends invocations that are still waiting.

@@ -12,7 +12,7 @@ use crate::parse::{Kernel, Role};
 use crate::regions;
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
-    let function = function(kernel);
+    let mut function = function(kernel);
     let arithmetic = arithmetic_functions(kernel);
     let variants = if kernel.has_variant() { &[false, true][..] } else { &[false] };
     let mut entries: Vec<_> =
@@ -28,6 +28,8 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
     let regions = regions::function(kernel);
     let info = info(kernel, regions.as_ref().err().filter(|_| kernel.waits()).copied());
     let regions = regions.ok();
+    // after the test of the workgroup's size
+    regions.iter().for_each(|_| function.block.stmts.insert(1, regions::call(kernel)));
     let dispatch = dispatch(kernel);
     let inputs = inputs(kernel, &dispatch_name(kernel));
     let iterations = kernel.iterations.iter();

@@ -37,6 +37,7 @@
 //! | `fused`             | drivers may fuse and regroup arithmetic. Otherwise they compute what is written, so devices agree |
 //! | `storage_barriers`  | invocations wait at `Invocation::storage_barrier`, and have no workgroup memory; a kernel that has some needs not say so |
 //! | `subgroups`         | invocations exchange values in their subgroup: `Invocation::subgroup_sum` and others |
+//! | `coroutines`        | the CPU does not cut it at its barriers into regions: slow, and right where a region does not compile |
 //! | `tiles(M, N, K)`    | it multiplies tiles, of this shape: cooperative matrices on a device that has them |
 //! | `over(items)`, `over(items, workgroups_z)`, `over(width, height, depth)` | what a dispatch runs over, of the parameters and the lengths of buffers: `over(params.side, params.side, tile.len() / 4)`. `Device::run_all` and parity cases take it |
 //! | `counts(field, ..)` | fields of the parameters that another kernel can have written on the device: the dispatch gets `counted(&field, ..)` |

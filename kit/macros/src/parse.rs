@@ -82,6 +82,8 @@ pub struct Attribute {
     pub storage_barriers: bool,
     /// Whether it has operations of subgroups.
     pub subgroups: bool,
+    /// Whether it is not to be cut into regions.
+    pub coroutines: bool,
     /// The shape of its products of tiles, if it has some.
     pub tiles: Option<[Expr; 3]>,
     /// On the CPU the workgroups of one z run one after another, on one thread.
@@ -212,7 +214,7 @@ impl Kernel {
     }
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial` or `z_innermost`, `lanes` or
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `coroutines`, `z_serial` or `z_innermost`, `lanes` or
 /// `lanes(field)`, `tiles(m, n, k)`, `over(items, ..)`, `counts(field, ..)`, and `unordered(binding, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
     let mut threads = None;
@@ -222,6 +224,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
             ("fused", &mut found.fused),
             ("storage_barriers", &mut found.storage_barriers),
             ("subgroups", &mut found.subgroups),
+            ("coroutines", &mut found.coroutines),
             ("z_serial", &mut found.z_serial),
             ("z_innermost", &mut found.z_innermost),
         ];
@@ -263,7 +266,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
             return Ok(());
         }
         if !meta.path.is_ident("threads") {
-            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `tiles(m, n, k)`, `over(items, ..)`, `counts(field, ..)` or `unordered(binding, ..)`";
+            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `coroutines`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `tiles(m, n, k)`, `over(items, ..)`, `counts(field, ..)` or `unordered(binding, ..)`";
             return Err(meta.error(expected));
         }
         // lengths of workgroup memory are `usize`, and one constant serves both

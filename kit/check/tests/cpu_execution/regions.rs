@@ -1,5 +1,5 @@
 //! Kernels with barriers, of every form. Each gives what ordinary loops give: cut into regions as devices run it, watched or not and in
-//! several orders, and as coroutines, as a unit test runs it.
+//! several orders, as a unit test calls it, and as coroutines.
 
 use muslin::kernel::{CpuRun, KernelInfo, kernels_of};
 use muslin::prelude::*;
@@ -38,11 +38,11 @@ struct Case {
 /// Declares kernels with the same parameters, which have these names.
 macro_rules! forms {
     ($list:ident, $is_cut:literal: |$id:ident, $params:ident, $input:ident, $output:ident, $values:ident|
-    $($name:ident $kernel:ident [$x:literal, $y:literal, $z:literal] $body:tt is $expected:expr;)*) => {
+    $($name:ident $kernel:ident [$x:literal, $y:literal, $z:literal $($says:ident)?] $body:tt is $expected:expr;)*) => {
         $(
             #[doc = "Is compared with ordinary loops."]
             #[allow(unused_variables, clippy::all, reason = "forms that people write")]
-            #[kernel(threads($x, $y, $z), iterations = 300)]
+            #[kernel(threads($x, $y, $z), iterations = 300 $(, $says)?)]
             pub fn $name(
                 $id: Invocation,
                 $params: &Form,
@@ -79,6 +79,15 @@ impl Counter {
         self.count += by;
         self.count
     }
+
+    fn place(&mut self) -> &mut u32 {
+        &mut self.count
+    }
+}
+
+/// Moves a counter away.
+fn used_up(counter: Counter) -> u32 {
+    counter.count
 }
 
 /// A pair.
@@ -453,6 +462,34 @@ forms! { CUT, true: |id, params, input, output, values|
         value + values[at] % 2
     });
 
+    moves_away MovesAwayKernel [64, 1, 1] {
+        let mut counter = Counter { count: input.read(id.index()) };
+        for _ in 0..params.rounds {
+            id.barrier();
+            let total = used_up(counter);
+            values.write(id.local.x, total);
+            id.barrier();
+            counter = Counter { count: total + 1 };
+            id.barrier();
+        }
+        output.write(id.index(), counter.next(values.read(63 - id.local.x)));
+    } is |params, _, values| core::array::from_fn(|at| values[at] + values[63 - at] + 2 * params.rounds - 1);
+
+    calls_a_variable CallsAVariableKernel [64, 1, 1] {
+        fn counter(from: u32) -> impl FnMut() -> u32 {
+            let mut count = from;
+            move || {
+                count += 1;
+                count
+            }
+        }
+        let mut next = counter(input.read(id.index()));
+        id.barrier();
+        next();
+        id.barrier();
+        output.write(id.index(), next());
+    } is |_, _, values| values.map(|value| value + 2);
+
     no_barrier NoBarrierKernel [64, 1, 1] {
         values.write(id.local.x, input.read(id.index()));
         if values.read(id.local.x) % 3 == 0 {
@@ -523,6 +560,14 @@ forms! { KEPT, false: |id, params, input, output, values|
         output.write(id.index(), state);
     } is |_, _, values| values.map(|value| value + 2);
 
+    borrows_by_a_method BorrowsByAMethodKernel [64, 1, 1 coroutines] {
+        let mut counter = Counter { count: input.read(id.index()) };
+        let count = counter.place();
+        id.barrier();
+        *count += 1;
+        output.write(id.index(), counter.count);
+    } is |_, _, values| values.map(|value| value + 1);
+
     captures CapturesKernel [64, 1, 1] {
         let own = input.read(id.index());
         let add = |x: u32| x + own;
@@ -587,14 +632,18 @@ fn devices() -> [Device; 3] {
     })
 }
 
-/// All workgroups, called as functions.
-fn called(case: &Case, params: &Form, input: &[u32]) -> Vec<u32> {
+/// All workgroups, called as functions: together, or apart, because each invocation has parameters of its own.
+fn called(case: &Case, params: &Form, input: &[u32], is_apart: bool) -> Vec<u32> {
     let mut output = vec![BEFORE; input.len()];
     let view = Write::from(&mut output[..]);
     for place in 0..WORKGROUPS {
         let values = SharedMemory::new();
         let workgroup = Workgroup::new(case.size).at([place, 0, 0], [WORKGROUPS, 1, 1]);
-        workgroup.run(|id| (case.call)(id, params, Read::from(input), view, values.view()));
+        workgroup.run(|id| {
+            let own = *params;
+            let params = if is_apart { &own } else { params };
+            (case.call)(id, params, Read::from(input), view, values.view());
+        });
     }
     output
 }
@@ -613,7 +662,10 @@ fn regions_give_what_loops_and_coroutines_give() {
             let expected =
                 workgroups.flat_map(|(all, place)| (case.expected)(&params, place, *all));
             let expected: Vec<_> = expected.collect();
-            assert_eq!(called(case, &params, &input), expected, "{} as a function", case.name);
+            for is_apart in [false, true] {
+                let found = called(case, &params, &input, is_apart);
+                assert_eq!(found, expected, "{} as a function", case.name);
+            }
             for device in &devices {
                 let input = device.upload("input", &input).unwrap();
                 let output = device.upload("output", &vec![BEFORE; 64 * WORKGROUPS as usize]);
@@ -622,6 +674,38 @@ fn regions_give_what_loops_and_coroutines_give() {
                 assert_eq!(device.read(&output).unwrap(), expected, "{}: {params:?}", case.name);
             }
         }
+    }
+}
+
+#[test]
+fn a_test_calls_kernels_before_and_after_other_code() {
+    let input = given();
+    let input = Read::from(&input[..64]);
+    let params = Form { rounds: 3, branch: 1 };
+    let [mut low, mut high, mut both] = [[BEFORE; 64]; 3];
+    let [lows, highs, boths] =
+        [&mut low, &mut high, &mut both].map(|all| Write::from(&mut all[..]));
+    let [first, second, third] = [(); 3].map(|()| SharedMemory::new());
+    Workgroup::new([64, 1, 1]).run(|id| {
+        let at = id.local.x;
+        boths.write(at, 1000);
+        // all the same, and then one that differs
+        barriers_at_both_ends(id, &params, input, lows, first.view());
+        boths.write(at, boths.read(at) + lows.read(63 - at));
+        let own = if at % 3 == 0 { lows } else { highs };
+        scanning(id, &params, input, own, second.view());
+        if at < 64 {
+            halving(id, &params, input, boths, third.view());
+        }
+        boths.write(at, boths.read(at) + own.read(at));
+    });
+    let values: Values = core::array::from_fn(|at| input.read(at as u32));
+    let sums = prefix(values);
+    for at in 0..64 {
+        let (own, other) = if at % 3 == 0 { (low, high) } else { (high, low) };
+        assert_eq!(own[at], sums[at]);
+        assert_eq!(other[at], if at % 3 == 0 { BEFORE } else { values[at ^ 5] });
+        assert_eq!(both[at], sums[63] + sums[at]);
     }
 }
 
@@ -715,6 +799,15 @@ fn mistakes_in_regions_are_told_with_their_invocations() {
     }
     #[cfg(debug_assertions)]
     {
+        // in a unit test, too
+        let message = std::panic::catch_unwind(|| {
+            let mut output = [0; 64];
+            let output = Write::from(&mut output[..]);
+            let values = SharedMemory::new();
+            Workgroup::new([64, 1, 1]).run(|id| turns_apart(id, output, values.view()));
+        });
+        let message = *message.unwrap_err().downcast::<String>().unwrap();
+        assert_contains(&message, &["leaves the loop of", &the_loop, "before round 3"]);
         let device = muslin_check::devices::cpu(Some(1));
         let output = device.zeros("out", 64).unwrap();
         let message = failure(&device, &OneIterationMoreKernel { output: &output }, 64);

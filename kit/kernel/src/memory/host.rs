@@ -192,7 +192,16 @@ impl<'a, T: Copy> Read<'a, T> {
     }
 }
 
-impl<T: Copy> Read<'_, T> {
+impl<'a, T: Copy> Read<'a, T> {
+    /// Its address, its length, and what watches it.
+    pub(crate) fn parts(self) -> (*mut T, usize, Option<&'a dyn AccessMonitor>) {
+        #[cfg(debug_assertions)]
+        if let Some(Watched { monitor, len }) = self.watched {
+            return (self.data.cast_mut(), len, Some(monitor));
+        }
+        (self.data.cast_mut(), self.len, None)
+    }
+
     /// The `N` values starting at `first`. Panics if they are out of range.
     #[inline(always)]
     #[track_caller]
@@ -246,6 +255,11 @@ impl<'a, T: Copy> Write<'a, T> {
     #[must_use]
     pub const fn monitored(self, monitor: Option<&'a dyn AccessMonitor>) -> Self {
         Self { monitor, ..self }
+    }
+
+    /// Like [`Read::parts`].
+    pub(crate) fn parts(self) -> (*mut T, usize, Option<&'a dyn AccessMonitor>) {
+        (self.data, self.len, self.monitor)
     }
 
     /// The value at `index`. Panics if `index` is out of range.

@@ -9,7 +9,7 @@ use syn::{Expr, Ident, Local, Pat, Stmt};
 
 use super::Kept;
 use super::cut::{Head, List, Part};
-use super::scan::{Uses, bound, is_one_of};
+use super::scan::{Changes, Uses, bound, is_one_of};
 use super::uniform::Names;
 
 /// A variable that each invocation has.
@@ -32,6 +32,8 @@ pub struct Segment {
     /// All names in it.
     pub names: HashSet<String>,
     uses: BTreeSet<usize>,
+    /// The variables that it may change: what it only moves away has no value to put.
+    changes: HashSet<String>,
     declares: Vec<usize>,
     /// The loops around it, from the outside in.
     loops: Vec<usize>,
@@ -200,6 +202,9 @@ impl<'a> Crossing<'a> {
         sorted.each.iter().for_each(|statement| names.visit_stmt(statement));
         names.0.extend(sorted.places.iter().map(ToString::to_string));
         let segment = self.segment(names.0);
+        let mut changes = Changes::every_call();
+        sorted.each.iter().for_each(|statement| changes.visit_stmt(statement));
+        self.segments[segment].changes = changes.names;
         for statement in sorted.each {
             if let Stmt::Local(local) = statement {
                 self.declare(segment, &local.pat, Some(local));
@@ -210,7 +215,10 @@ impl<'a> Crossing<'a> {
     fn expression(&mut self, expression: &Expr) {
         let mut names = Uses::default();
         names.visit_expr(expression);
-        self.segment(names.0);
+        let segment = self.segment(names.0);
+        let mut changes = Changes::every_call();
+        changes.visit_expr(expression);
+        self.segments[segment].changes = changes.names;
     }
 
     /// A segment with these names. Returns its number.
@@ -223,6 +231,7 @@ impl<'a> Crossing<'a> {
         self.segments.push(Segment {
             names,
             uses,
+            changes: HashSet::new(),
             declares: Vec::new(),
             loops: self.loops.clone(),
         });
@@ -297,8 +306,12 @@ impl<'a> Crossing<'a> {
 
     /// The variables that a segment puts: those that it may change or declares, if they are used afterwards.
     pub fn puts(&self, segment: usize) -> Vec<&Variable> {
-        let Segment { uses, declares, .. } = &self.segments[segment];
-        let changed = uses.iter().filter(|&&at| self.variables[at].is_mutable);
+        let Segment { uses, changes, declares, .. } = &self.segments[segment];
+        let may_change = |at: &&usize| {
+            let Variable { name, is_mutable, .. } = &self.variables[**at];
+            *is_mutable && changes.contains(&name.to_string())
+        };
+        let changed = uses.iter().filter(may_change);
         let all = changed.chain(declares).filter(|&&at| self.is_used_after(at, segment));
         all.map(|&at| &self.variables[at]).collect()
     }

@@ -34,6 +34,9 @@ pub fn function(kernel: &Kernel) -> Result<TokenStream, Kept> {
     if !kernel.waits() || kernel.has_shared_tiles() || kernel.subgroups {
         return Err("it has no barriers, or shared tiles or operations of subgroups");
     }
+    if kernel.coroutines {
+        return Err("it says `coroutines`");
+    }
     let is_mutable = |argument: &FnArg| match argument {
         FnArg::Typed(argument) => {
             matches!(&*argument.pat, Pat::Ident(name) if name.mutability.is_some())
@@ -95,18 +98,48 @@ fn whole(kernel: &Kernel, writer: &Writer, body: &TokenStream) -> TokenStream {
     }
 }
 
+/// At the beginning of the kernel's function: all invocations of a unit test's workgroup run together.
+pub fn call(kernel: &Kernel) -> syn::Stmt {
+    let id = &kernel.id;
+    let text = text(&kernel.function.sig.ident);
+    let regions = name(kernel);
+    let (shared, bindings): (Vec<_>, Vec<_>) =
+        kernel.parameters.iter().partition(|parameter| matches!(parameter.role, Role::Shared(_)));
+    let arguments = bindings.into_iter().chain(shared).map(|Parameter { name, .. }| name);
+    syn::parse2(hygienic! {
+        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+        if ::muslin::workgroup::run_together(
+            #text,
+            self::#regions::<false>,
+            #id,
+            &[#(::muslin::kernel::CpuBinding::from(#arguments)),*],
+        ) {
+            return;
+        }
+    })
+    .expect("a statement")
+}
+
 /// Views of the bindings, and workgroup memory.
 fn views(kernel: &Kernel) -> Vec<TokenStream> {
     let mut bindings = 0_usize;
     let mut arrays = 0_usize;
+    let binding_count = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
     let views = kernel.parameters.iter().map(|Parameter { name, role, element, .. }| {
         let text = text(name);
         if let Role::Shared(len) = role {
             let at = arrays;
             arrays += 1;
+            let after = binding_count + at;
+            let view = view(role, element);
+            // SAFETY: as below, of an array
             return hygienic! {
                 let memory = ::muslin::regions::Memory::<#element, { #len }>::unwritten();
-                let #name = memory.view(regions.watch::<MUSLIN_PLAIN>(#at)).named(#text);
+                let #name = match bindings.get(#after) {
+                    ::core::option::Option::Some(own) if !MUSLIN_PLAIN => unsafe { own.#view },
+                    _ => memory.view(regions.watch::<MUSLIN_PLAIN>(#at)),
+                }
+                .named(#text);
             };
         }
         let at = bindings;

@@ -306,9 +306,18 @@ impl<'ast> Visit<'ast> for Uses {
 
 /// The variables that something may change.
 #[derive(Default)]
-pub struct Changes(pub HashSet<String>);
+pub struct Changes {
+    pub names: HashSet<String>,
+    /// Whether methods of [`PURE`]'s names, and functions in variables, may do so.
+    every_call: bool,
+}
 
 impl Changes {
+    /// Counts every call of what a variable has.
+    pub fn every_call() -> Self {
+        Self { every_call: true, ..Self::default() }
+    }
+
     /// The variables in which a place lies, or several places.
     fn place(&mut self, place: &Expr) {
         match place {
@@ -321,12 +330,12 @@ impl Changes {
             Expr::Path(_) => {
                 let mut names = Uses::default();
                 names.visit_expr(place);
-                self.0.extend(names.0);
+                self.names.extend(names.0);
             }
             Expr::Tuple(_) | Expr::Array(_) | Expr::Struct(_) | Expr::Call(_) => {
                 let mut names = Uses::default();
                 names.visit_expr(place);
-                self.0.extend(names.0);
+                self.names.extend(names.0);
             }
             _ => {}
         }
@@ -340,14 +349,17 @@ impl<'ast> Visit<'ast> for Changes {
             Expr::Binary(of) if is_assignment(&of.op) => self.place(&of.left),
             Expr::Reference(of) if of.mutability.is_some() => self.place(&of.expr),
             Expr::RawAddr(of) => self.place(&of.expr),
-            Expr::MethodCall(of) if !is_one_of(&of.method, &PURE) => self.place(&of.receiver),
+            Expr::MethodCall(of) if self.every_call || !is_one_of(&of.method, &PURE) => {
+                self.place(&of.receiver);
+            }
+            Expr::Call(of) if self.every_call => self.place(&of.func),
             _ => {}
         }
         visit::visit_expr(self, expression);
     }
 
     fn visit_macro(&mut self, of: &'ast Macro) {
-        words(of.tokens.clone(), &mut self.0);
+        words(of.tokens.clone(), &mut self.names);
     }
 
     fn visit_item(&mut self, _: &'ast Item) {}

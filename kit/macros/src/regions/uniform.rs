@@ -195,7 +195,7 @@ impl Names<'_> {
         });
         wrong.retain(|name| self.once.contains_key(name));
         // a method may change what can change
-        wrong.extend(changes.0.into_iter().filter(|name| self.once.get(name) == Some(&true)));
+        wrong.extend(changes.names.into_iter().filter(|name| self.once.get(name) == Some(&true)));
         wrong
     }
 

@@ -1,23 +1,21 @@
-//! An engine that has opened a `wgpu::Device` runs a kernel on its own buffer, between its own passes.
+//! An engine that has opened a `wgpu::Device` runs a kernel on its own buffers, between its own passes.
 
-use muslin_check::devices;
-use muslin_device::wgpu::{self, BufferUsages};
-use muslin_device::{Buffer, Device, DeviceOptions, Result, SpirvPath};
-use muslin_language::MODULES;
-use muslin_language_kernels::language::{SortParams, SortRowsKernel};
+use muslin::check::devices;
+use muslin::device::wgpu::{self, BufferUsages};
+use muslin::device::{Buffer, Device, DeviceOptions, Result, SpirvPath};
+use picture::MODULES;
+use picture_kernels::{BINS, HistogramKernel, Picture};
 
-const ROWS: u32 = 3;
-const COLUMNS: u32 = 64;
-const COUNT: u32 = ROWS * COLUMNS;
+const PIXELS: u32 = 192;
 
-/// Fills the values, and draws each as a pixel.
+/// Fills the pixels, and draws each bin as a pixel of its own.
 const SHADERS: &str = "
-@group(0) @binding(0) var<storage, read_write> values: array<u32>;
-@group(0) @binding(0) var<storage, read> sorted: array<u32>;
+@group(0) @binding(0) var<storage, read_write> gray: array<f32>;
+@group(0) @binding(0) var<storage, read> bins: array<u32>;
 
 @compute @workgroup_size(64)
 fn fill(@builtin(global_invocation_id) id: vec3<u32>) {
-    values[id.x] = (id.x + 1) * 2654435761;
+    gray[id.x] = f32(id.x * id.x % 192) / 192;
 }
 
 @vertex
@@ -27,7 +25,7 @@ fn corner(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
 
 @fragment
 fn pixel(@builtin(position) place: vec4<f32>) -> @location(0) u32 {
-    return sorted[u32(place.y) * 64 + u32(place.x)];
+    return bins[u32(place.x)];
 }
 ";
 
@@ -78,8 +76,8 @@ impl Engine {
         })
     }
 
-    /// Its compute pass: fills the values.
-    fn fill(&self, values: &wgpu::Buffer) {
+    /// Its compute pass: fills the pixels.
+    fn fill(&self, gray: &wgpu::Buffer) {
         let pipeline = self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: None,
             layout: None,
@@ -88,20 +86,20 @@ impl Engine {
             compilation_options: Default::default(),
             cache: None,
         });
-        let group = self.bind(&pipeline.get_bind_group_layout(0), values);
+        let group = self.bind(&pipeline.get_bind_group_layout(0), gray);
         let mut encoder = self.device.create_command_encoder(&Default::default());
         let mut pass = encoder.begin_compute_pass(&Default::default());
         pass.set_pipeline(&pipeline);
         pass.set_bind_group(0, &group, &[]);
-        pass.dispatch_workgroups(COUNT / 64, 1, 1);
+        pass.dispatch_workgroups(PIXELS / 64, 1, 1);
         drop(pass);
         self.queue.submit([encoder.finish()]);
     }
 
-    /// Its render pass: draws the values, and reads the picture.
-    fn draw(&self, values: &wgpu::Buffer) -> Vec<u32> {
+    /// Its render pass: draws the bins, and reads the picture.
+    fn draw(&self, bins: &wgpu::Buffer) -> Vec<u32> {
         let format = wgpu::TextureFormat::R32Uint;
-        let size = wgpu::Extent3d { width: COLUMNS, height: ROWS, depth_or_array_layers: 1 };
+        let size = wgpu::Extent3d { width: BINS as u32, height: 1, depth_or_array_layers: 1 };
         let picture = self.device.create_texture(&wgpu::TextureDescriptor {
             label: None,
             size,
@@ -133,7 +131,7 @@ impl Engine {
             multiview_mask: None,
             cache: None,
         });
-        let group = self.bind(&pipeline.get_bind_group_layout(0), values);
+        let group = self.bind(&pipeline.get_bind_group_layout(0), bins);
         let view = picture.create_view(&Default::default());
         let target = wgpu::RenderPassColorAttachment {
             view: &view,
@@ -153,18 +151,18 @@ impl Engine {
         // a row of a picture is 256 bytes, or a multiple of that
         let layout = wgpu::TexelCopyBufferLayout {
             offset: 0,
-            bytes_per_row: Some(4 * COLUMNS),
+            bytes_per_row: Some(256),
             rows_per_image: None,
         };
-        let buffer =
-            &self.buffer(BufferUsages::MAP_READ | BufferUsages::COPY_DST, u64::from(4 * COUNT));
+        let buffer = &self.buffer(BufferUsages::MAP_READ | BufferUsages::COPY_DST, 256);
         let to = wgpu::TexelCopyBufferInfo { buffer, layout };
         encoder.copy_texture_to_buffer(picture.as_image_copy(), to, size);
         self.queue.submit([encoder.finish()]);
         buffer.slice(..).map_async(wgpu::MapMode::Read, |mapped| mapped.expect("a picture"));
         self.device.poll(wgpu::PollType::wait_indefinitely()).expect("a picture");
         let bytes = buffer.slice(..).get_mapped_range().expect("a picture");
-        bytemuck::pod_collect_to_vec(&bytes)
+        let (words, _) = bytes.as_chunks();
+        words[..BINS].iter().map(|word| u32::from_ne_bytes(*word)).collect()
     }
 
     /// The device as muslin has it.
@@ -179,8 +177,10 @@ const NEEDED: BufferUsages =
 
 #[test]
 fn a_kernel_runs_between_the_passes_of_an_engine() {
-    let mut expected: Vec<_> = (1..=COUNT).map(|index| index.wrapping_mul(2_654_435_761)).collect();
-    expected.chunks_mut(COLUMNS as usize).for_each(<[u32]>::sort_unstable);
+    let mut expected = [0; BINS];
+    for pixel in 0..PIXELS {
+        expected[((pixel * pixel % 192) as f32 / 192.0 * 15.99) as usize] += 1;
+    }
     for (name, _) in devices::gpus(&MODULES) {
         let is_naga = name.ends_with("naga");
         let path = if is_naga { "through naga" } else { "passed through" };
@@ -190,28 +190,30 @@ fn a_kernel_runs_between_the_passes_of_an_engine() {
         let device = engine.muslin(&DeviceOptions::default()).expect("the engine's device");
         let choice = device.choice();
         assert!(choice.contains(path) && choice.ends_with("(the program's own)"), "{choice}");
-        let values = engine.buffer(NEEDED, u64::from(4 * COUNT));
-        engine.fill(&values);
-        let own = Buffer::<u32>::from_wgpu(&device, "values", values.clone()).expect("its buffer");
-        let params = SortParams { rows: ROWS, columns: COLUMNS };
-        device.run_all(&SortRowsKernel { params, values: &own }).expect("a sort");
+        let gray = engine.buffer(NEEDED, u64::from(4 * PIXELS));
+        let bins = engine.buffer(NEEDED, 4 * BINS as u64);
+        engine.fill(&gray);
+        let gray = Buffer::<f32>::from_wgpu(&device, "gray", gray).expect("its buffer");
+        let own = Buffer::<u32>::from_wgpu(&device, "bins", bins.clone()).expect("its buffer");
+        let params = Picture { side: 0, pixels: PIXELS };
+        device.run_all(&HistogramKernel { params, gray: &gray, bins: &own }).expect("a histogram");
         device.submit();
-        assert_eq!(engine.draw(&values), expected, "{choice}");
-        assert_eq!(device.read(&own).expect("the values"), expected);
+        assert_eq!(engine.draw(&bins), expected, "{choice}");
+        assert_eq!(device.read(&own).expect("the bins"), expected);
 
         // the other way round: the engine draws what is the kernels'
         let other = device.upload("other", &expected).expect("a buffer");
         let lent = other.wgpu().expect("a GPU's memory");
         if lent.offset == 0 {
-            assert_eq!(engine.draw(lent.buffer)[..], expected, "{choice}");
+            assert_eq!(engine.draw(lent.buffer), expected, "{choice}");
         }
         assert_eq!(device.wgpu().map(|(device, _)| device), Some(&engine.device));
 
         // the next buffer takes the memory of a dropped one, but not if it is the engine's
         drop(own);
         device.submit();
-        let next = device.unwritten::<u32>("next", COUNT as usize).expect("a buffer");
-        assert_ne!(next.wgpu().expect("a GPU's memory").buffer, &values);
+        let next = device.unwritten::<u32>("next", BINS).expect("a buffer");
+        assert_ne!(next.wgpu().expect("a GPU's memory").buffer, &bins);
     }
 }
 

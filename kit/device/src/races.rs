@@ -98,7 +98,7 @@ impl<'a> Elements<'a> {
 impl AccessMonitor for Elements<'_> {
     fn touch(
         &self,
-        name: &str,
+        name: &&str,
         index: u32,
         _: Touch,
         _: &'static Location<'static>,
@@ -310,7 +310,7 @@ impl AccessMonitor for Races<'_> {
     // the second invocation sees the first, because each leaves its own mark before it looks for the other's
     fn touch(
         &self,
-        name: &str,
+        name: &&str,
         index: u32,
         touch: Touch,
         at: &'static Location<'static>,

@@ -83,6 +83,8 @@ pub struct Regions<'a> {
     common: Cell<u32>,
     /// Most other iterations that an invocation has run.
     most: Cell<u32>,
+    /// The iterations that the invocation had left when it began its part of a region.
+    left: Cell<u32>,
 }
 
 /// Runs a workgroup region by region.
@@ -191,8 +193,8 @@ impl<'a> Regions<'a> {
         watches: &'a [WorkgroupMemory],
         turns: &'a [Turn],
     ) -> Self {
-        let [common, most] = [(); 2].map(|()| Cell::new(0));
-        Self { first, order, watches, turns, max: Cell::new(u32::MAX), common, most }
+        let [common, most, left] = [(); 3].map(|()| Cell::new(0));
+        Self { first, order, watches, turns, max: Cell::new(u32::MAX), common, most, left }
     }
 }
 
@@ -242,7 +244,9 @@ impl Regions<'_> {
         let turn = &self.turns[index as usize];
         id.local = turn.local;
         running::enter(index);
-        running::allow_iterations(self.max.get() - self.common.get() - turn.own.get());
+        let left = self.max.get() - self.common.get() - turn.own.get();
+        running::allow_iterations(left);
+        self.left.set(left);
         index
     }
 
@@ -256,6 +260,9 @@ impl Regions<'_> {
     }
 
     fn leave_watched(&self, index: u32) {
+        if running::iterations_left() == self.left.get() {
+            return;
+        }
         let own = self.max.get() - self.common.get() - running::iterations_left();
         self.turns[index as usize].own.set(own);
         self.most.set(self.most.get().max(own));

@@ -98,7 +98,7 @@ impl WorkgroupMemory {
     /// The running invocation and the phase, as stored in an element. It is never 0.
     #[inline(always)]
     fn stamp() -> u64 {
-        phase::current() << INVOCATION_BITS | u64::from(1 + running::invocation())
+        phase::current() << INVOCATION_BITS | (1 + u64::from(running::invocation()))
     }
 
     /// The first phase whose writes count.
@@ -117,7 +117,7 @@ impl WorkgroupMemory {
     #[inline(never)]
     fn look(
         &self,
-        name: &str,
+        name: &&str,
         index: u32,
         touch: Touch,
         at: &'static Location<'static>,
@@ -198,7 +198,7 @@ fn leave([last, before]: &[AtomicU64; 2], own: u64) {
 impl AccessMonitor for WorkgroupMemory {
     fn touch(
         &self,
-        name: &str,
+        name: &&str,
         index: u32,
         touch: Touch,
         at: &'static Location<'static>,
@@ -209,17 +209,18 @@ impl AccessMonitor for WorkgroupMemory {
         };
         let own = Self::stamp();
         let phase = own & !((1 << INVOCATION_BITS) - 1);
-        let begin = self.begin() << INVOCATION_BITS;
-        let writer = load(&element.writer);
-        let [first, second] = [load(&element.atomics[0]), load(&element.atomics[1])];
-        let [reader, another] = [load(&element.readers[0]), load(&element.readers[1])];
-        let is_old = writer < phase && first < phase && second < phase;
+        // of two accesses that are kept, the first one here is the later one
+        let last = load(&element.writer).max(load(&element.atomics[0]));
+        let reader = load(&element.readers[0]);
         match touch {
-            Touch::Read if is_old && (writer >= begin || first >= begin || second >= begin) => {
+            Touch::Read if last < phase && last >= self.begin() << INVOCATION_BITS => {
                 leave(&element.readers, own);
                 Ok(())
             }
-            Touch::Write if is_old && (reader < phase || reader == own) && another < phase => {
+            Touch::Write
+                if last < phase
+                    && (reader < phase || reader == own && load(&element.readers[1]) < phase) =>
+            {
                 element.writer.store(own, Ordering::Relaxed);
                 Ok(())
             }

@@ -19,7 +19,7 @@ use muslin::given::Inputs;
 use muslin::glam::UVec3;
 use muslin::invocation::Invocation;
 use muslin::kernel::Dispatch;
-use muslin::memory::{Read, Write};
+use muslin::memory::{Read, Shared, Write};
 use muslin::prelude::{kernel, params};
 use muslin::workgroup::{SharedMemory, Workgroup};
 use muslin_check::{KernelRunner, devices, unwritten};
@@ -43,6 +43,13 @@ fn assert_contains(message: &str, parts: &[&str]) {
     for part in parts {
         assert!(message.contains(part), "no {part:?} in: {message}");
     }
+}
+
+/// What a call panics with.
+fn panic_of(call: impl FnOnce() + std::panic::UnwindSafe) -> String {
+    let panic = std::panic::catch_unwind(call).expect_err("it panics");
+    let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    text.unwrap_or_else(|| *panic.downcast::<String>().expect("a text"))
 }
 
 fn checked() -> Device {
@@ -205,7 +212,7 @@ fn a_test_calls_a_kernel_with_barriers() {
     assert_eq!(bins, [13, 13, 13, 13, 12, 12, 12, 12]);
     assert_eq!((place[8], place[59], place[60]), (1, 7, 0));
     // workgroup memory of another workgroup is unwritten
-    let message = std::panic::catch_unwind(|| {
+    let message = panic_of(|| {
         let mut output = [0; 64];
         let counts = SharedMemory::new();
         let output = Write::from(&mut output[..]);
@@ -214,15 +221,13 @@ fn a_test_calls_a_kernel_with_barriers() {
             let _ = counts.view().read(id.local.x);
         });
     });
-    let message = *message.unwrap_err().downcast::<String>().unwrap();
     assert_contains(&message, &["reads element 0 of `a buffer`, which no invocation has written"]);
-    let message = std::panic::catch_unwind(|| {
+    let message = panic_of(|| {
         let mut output = [0; 64];
         let values = SharedMemory::new();
         let output = Write::from(&mut output[..]);
         workgroup.run(|id| missing_barrier(id, output, values.view()));
     });
-    let message = *message.unwrap_err().downcast::<String>().unwrap();
     assert_contains(
         &message,
         &[
@@ -234,25 +239,66 @@ fn a_test_calls_a_kernel_with_barriers() {
     // release builds do not look
     #[cfg(debug_assertions)]
     {
-        let message = std::panic::catch_unwind(|| {
+        let message = panic_of(|| {
             let mut output = [0; 64];
             let output = Write::from(&mut output[..]);
             let values = SharedMemory::new();
             Workgroup::new([32, 1, 1]).run(|id| neighbor(id, output, values.view()));
         });
-        let message = *message.unwrap_err().downcast::<String>().unwrap();
         let expected =
             "kernel `neighbor` has workgroups of [64, 1, 1], and this one has [32, 1, 1]";
         assert_eq!(message, expected);
     }
-    let message = std::panic::catch_unwind(|| {
+    let message = panic_of(|| {
         let mut output = [0; 64];
         let id = Invocation::new(UVec3::ZERO, UVec3::ZERO, UVec3::ONE, UVec3::new(64, 1, 1));
         neighbor(id, Write::from(&mut output[..]), SharedMemory::new().view());
     });
-    let message = message.unwrap_err();
-    let message = message.downcast_ref::<&str>().unwrap();
-    assert_contains(message, &["a barrier, and no other invocation runs", "workgroup::Workgroup"]);
+    assert_contains(&message, &["a barrier, and no other invocation runs", "workgroup::Workgroup"]);
+}
+
+/// What others have done to an element since the last barrier counts, also behind an access of one's own.
+#[test]
+fn accesses_of_others_are_seen_behind_own_ones() {
+    type Part = fn(bool, Shared<u32, 1>);
+    let reads_and_writes: Part = |is_last, values| {
+        let own = values.read(0);
+        if is_last {
+            values.write(0, own);
+        }
+    };
+    let counts_and_reads: Part = |is_last, values| {
+        values.atomic_add(0, 1);
+        if is_last {
+            values.read(0);
+        }
+    };
+    let counts_and_writes: Part = |is_last, values| {
+        values.atomic_add(0, 1);
+        if is_last {
+            values.write(0, 0);
+        }
+    };
+    for (part, expected) in [
+        (reads_and_writes, ["writes", "[62, 0, 0] of the workgroup has read"]),
+        (counts_and_reads, ["reads", "[62, 0, 0] of the workgroup has atomically changed"]),
+        (counts_and_writes, ["writes", "[62, 0, 0] of the workgroup has atomically changed"]),
+    ] {
+        let message = panic_of(|| {
+            let values = SharedMemory::new();
+            Workgroup::new([64, 1, 1]).run(|id| {
+                let values = values.view();
+                if id.local.x == 0 {
+                    values.write(0, 5);
+                }
+                id.barrier();
+                part(id.local.x == 63, values);
+            });
+        });
+        let [does, other] = expected;
+        let start = format!("{does} element 0 of `a buffer`, which invocation {other}");
+        assert!(message.starts_with(&start), "{message}");
+    }
 }
 
 #[test]

@@ -390,13 +390,15 @@ forms! { CUT, true: |id, params, input, output, values|
         id.barrier();
         if at < 70 { values.atomic_add(at, 64); } else { values.write(0, 0); }
         id.barrier();
+        if at < 70 { values.atomic_add(at, 256); }
+        id.barrier();
         if at as i32 - 3 < 0 { values.atomic_add(at, 128); }
         id.barrier();
         output.write(id.index(), values.read(at));
     } is |params, _, values| core::array::from_fn(|i| {
         let at = i as u32;
         let tests = [
-            (at >= 60, 1), (at > 62, 2), (at <= params.rounds, 4), (at == 63, 8), (at < 2, 16), (at <= 2, 32), (true, 64), (at < 3, 128),
+            (at >= 60, 1), (at > 62, 2), (at <= params.rounds, 4), (at == 63, 8), (at < 2, 16), (at <= 2, 32), (true, 64), (at < 3, 128), (true, 256),
         ];
         values[i] + tests.iter().map(|(test, add)| u32::from(*test) * add).sum::<u32>()
     });
@@ -679,13 +681,16 @@ fn regions_give_what_loops_and_coroutines_give() {
 
 #[test]
 fn a_test_calls_kernels_before_and_after_other_code() {
-    let input = given();
-    let input = Read::from(&input[..64]);
+    let given = given();
+    let both_inputs = Read::from(&given[..128]);
+    let input = Read::from(&given[..64]);
     let params = Form { rounds: 3, branch: 1 };
     let [mut low, mut high, mut both] = [[BEFORE; 64]; 3];
     let [lows, highs, boths] =
         [&mut low, &mut high, &mut both].map(|all| Write::from(&mut all[..]));
-    let [first, second, third] = [(); 3].map(|()| SharedMemory::new());
+    let [first, second, third, fourth] = [(); 4].map(|()| SharedMemory::new());
+    let mut elsewhere = [BEFORE; 128];
+    let elsewheres = Write::from(&mut elsewhere[..]);
     Workgroup::new([64, 1, 1]).run(|id| {
         let at = id.local.x;
         boths.write(at, 1000);
@@ -698,6 +703,9 @@ fn a_test_calls_kernels_before_and_after_other_code() {
             halving(id, &params, input, boths, third.view());
         }
         boths.write(at, boths.read(at) + own.read(at));
+        // in the place of another workgroup
+        let id = Invocation { workgroup: muslin::glam::UVec3::X, ..id };
+        halving(id, &params, both_inputs, elsewheres, fourth.view());
     });
     let values: Values = core::array::from_fn(|at| input.read(at as u32));
     let sums = prefix(values);
@@ -707,6 +715,8 @@ fn a_test_calls_kernels_before_and_after_other_code() {
         assert_eq!(other[at], if at % 3 == 0 { BEFORE } else { values[at ^ 5] });
         assert_eq!(both[at], sums[63] + sums[at]);
     }
+    assert_eq!(elsewhere[..64], [BEFORE; 64]);
+    assert_eq!(elsewhere[64..], [given[64..128].iter().sum::<u32>(); 64]);
 }
 
 /// Each of 64 rounds has 4 iterations: 320 in all.
@@ -723,6 +733,21 @@ pub fn one_iteration_more(id: Invocation, output: Write<u32>, values: Shared<u32
         }
     }
     output.write(id.index(), sum);
+}
+
+/// Eight iterations of each, and three of all together.
+#[kernel(threads(64), iterations = 10)]
+pub fn one_round_more(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
+    let mut i = 0;
+    while i < 8 {
+        values.write(id.local.x, i);
+        i += 1;
+    }
+    for round in 0..3 {
+        id.barrier();
+        values.write(id.local.x, round);
+    }
+    output.write(id.index(), values.read(id.local.x));
 }
 
 /// Fails in its second region, in one invocation.
@@ -800,22 +825,26 @@ fn mistakes_in_regions_are_told_with_their_invocations() {
     #[cfg(debug_assertions)]
     {
         // in a unit test, too
-        let message = std::panic::catch_unwind(|| {
+        let message = crate::panic_of(|| {
             let mut output = [0; 64];
             let output = Write::from(&mut output[..]);
             let values = SharedMemory::new();
             Workgroup::new([64, 1, 1]).run(|id| turns_apart(id, output, values.view()));
         });
-        let message = *message.unwrap_err().downcast::<String>().unwrap();
         assert_contains(&message, &["leaves the loop of", &the_loop, "before round 3"]);
         let device = muslin_check::devices::cpu(Some(1));
         let output = device.zeros("out", 64).unwrap();
-        let message = failure(&device, &OneIterationMoreKernel { output: &output }, 64);
-        let parts = [
-            "the loops take more iterations than the kernel declares",
-            &line(source, "while i < 4 "),
-            "invocation [0, 0, 0] of",
+        let messages = [
+            (failure(&device, &OneIterationMoreKernel { output: &output }, 64), "while i < 4 "),
+            (failure(&device, &OneRoundMoreKernel { output: &output }, 64), "for round in 0..3 {"),
         ];
-        assert_contains(&message, &parts);
+        for (message, place) in messages {
+            let parts = [
+                "the loops take more iterations than the kernel declares",
+                &line(source, place),
+                "invocation [0, 0, 0] of",
+            ];
+            assert_contains(&message, &parts);
+        }
     }
 }

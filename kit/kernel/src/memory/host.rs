@@ -30,7 +30,7 @@ pub trait AccessMonitor: Sync {
     /// The reason, if the access is wrong.
     fn touch(
         &self,
-        name: &str,
+        name: &&str,
         index: u32,
         touch: Touch,
         at: &'static Location<'static>,
@@ -64,6 +64,7 @@ struct Watched<'a> {
 
 /// A storage buffer that is read and written, by many invocations at once.
 #[derive(Clone, Copy)]
+#[repr(C)]
 pub struct Write<'a, T> {
     data: *mut T,
     len: usize,
@@ -99,18 +100,25 @@ fn out_of_range(index: u32, len: usize, name: &str) -> ! {
 #[inline(never)]
 #[track_caller]
 fn monitored(monitor: &dyn AccessMonitor, name: &str, index: u32, touch: Touch) {
-    if let Err(reason) = monitor.touch(name, index, touch, Location::caller()) {
+    if let Err(reason) = monitor.touch(&name, index, touch, Location::caller()) {
         panic!("{reason}");
     }
 }
 
+/// The address of an element of this `size`, of a buffer that is watched: what is not optimized only calls.
 #[cfg(debug_assertions)]
 #[inline(never)]
 #[track_caller]
-fn watched(monitor: &&dyn AccessMonitor, name: &&'static str, index: u32, touch: Touch) {
-    if let Err(reason) = monitor.touch(name, index, touch, Location::caller()) {
+fn element(view: &Write<'_, u8>, size: usize, index: u32, touch: Touch) -> *mut u8 {
+    if index as usize >= view.len {
+        out_of_range(index, view.len, view.name);
+    }
+    if let Some(monitor) = view.monitor
+        && let Err(reason) = monitor.touch(&view.name, index, touch, Location::caller())
+    {
         panic!("{reason}");
     }
+    view.data.wrapping_add(size.wrapping_mul(index as usize))
 }
 
 /// Methods of both views of a buffer.
@@ -294,6 +302,16 @@ impl<'a, T: Copy> Write<'a, T> {
         unsafe { *self.addresses::<N>(first, Touch::Write) = values }
     }
 
+    /// The address of an element of a buffer that is watched.
+    #[cfg(debug_assertions)]
+    #[inline(always)]
+    #[track_caller]
+    fn element(&self, index: u32, touch: Touch) -> *mut u8 {
+        // SAFETY: it is `repr(C)`, and the elements' type is that of an address
+        let view: &Write<'_, u8> = unsafe { core::mem::transmute(self) };
+        element(view, const { size_of::<T>() }, index, touch)
+    }
+
     /// The address of `N` values starting at `first`. Panics if they are out of range.
     #[inline(always)]
     #[track_caller]
@@ -315,13 +333,12 @@ impl<'a, T: Copy> Write<'a, T> {
     #[inline(always)]
     #[track_caller]
     pub(crate) fn address(&self, index: u32, touch: Touch) -> *mut T {
+        #[cfg(debug_assertions)]
+        if self.monitor.is_some() {
+            return self.element(index, touch).cast();
+        }
         if index as usize >= self.len {
             out_of_range(index, self.len, self.name);
-        }
-        // what is not optimized passes addresses on
-        #[cfg(debug_assertions)]
-        if let Some(monitor) = &self.monitor {
-            watched(monitor, &self.name, index, touch);
         }
         #[cfg(not(debug_assertions))]
         if let Some(monitor) = self.monitor {
@@ -501,6 +518,12 @@ impl<'a, T: Copy, const N: usize> Shared<'a, T, N> {
     #[inline(always)]
     #[track_caller]
     pub fn read(&self, index: u32) -> T {
+        // debug builds look at what a pointer points to, and not at what a reference does
+        #[cfg(debug_assertions)]
+        #[expect(clippy::transmute_ptr_to_ref, reason = "it takes less")]
+        // SAFETY: as in `Write::read`
+        return *unsafe { core::mem::transmute::<*mut u8, &T>(self.0.element(index, Touch::Read)) };
+        #[cfg(not(debug_assertions))]
         self.0.read(index)
     }
 
@@ -508,6 +531,13 @@ impl<'a, T: Copy, const N: usize> Shared<'a, T, N> {
     #[inline(always)]
     #[track_caller]
     pub fn write(&self, index: u32, value: T) {
+        #[cfg(debug_assertions)]
+        #[expect(clippy::transmute_ptr_to_ref, reason = "as in `read`")]
+        // SAFETY: as in `Write::read`
+        let element: &mut T = unsafe { core::mem::transmute(self.0.element(index, Touch::Write)) };
+        #[cfg(debug_assertions)]
+        return *element = value;
+        #[cfg(not(debug_assertions))]
         self.0.write(index, value);
     }
 }

@@ -181,6 +181,14 @@ fn only_what_lives_across_a_barrier_has_an_array() {
         for i in (0..half).rev() { values.write(i + row, 1); id.barrier(); }
     );
     assert_eq!(crossing(body), none);
+    // but a division takes time, where it is none by a constant
+    let body = quote!(
+        let a = id.local.x / params.side;
+        let b = id.local.x / SIDE;
+        id.barrier();
+        f(a + b);
+    );
+    assert_eq!(crossing(body), ["a"]);
     // what changes in one invocation alone, or in the midst of a region, does
     let body = quote!(
         let mut a = 1;

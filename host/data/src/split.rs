@@ -300,7 +300,7 @@ mod tests {
             let twice = |[x, y]: &[f64; 2]| {
                 sides.iter().filter(|sides| is_within(**sides, 0.0, [*x, *y, 0.0])).count() != 1
             };
-            assert!(!places.iter().any(|place| twice(place)), "{sides:?}");
+            assert!(!places.iter().any(twice), "{sides:?}");
         }
     }
 }

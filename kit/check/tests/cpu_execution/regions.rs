@@ -684,23 +684,23 @@ fn a_test_calls_kernels_before_and_after_other_code() {
     let input = Read::from(&given[..64]);
     let params = Form { rounds: 3, branch: 1 };
     let [mut low, mut high, mut both] = [[BEFORE; 64]; 3];
-    let [lows, highs, boths] =
+    let [lows, highs, totals] =
         [&mut low, &mut high, &mut both].map(|all| Write::from(&mut all[..]));
     let [first, second, third, fourth] = [(); 4].map(|()| SharedMemory::new());
     let mut elsewhere = [BEFORE; 128];
     let elsewheres = Write::from(&mut elsewhere[..]);
     Workgroup::new([64, 1, 1]).run(|id| {
         let at = id.local.x;
-        boths.write(at, 1000);
+        totals.write(at, 1000);
         // all the same, and then one that differs
         barriers_at_both_ends(id, &params, input, lows, first.view());
-        boths.write(at, boths.read(at) + lows.read(63 - at));
+        totals.write(at, totals.read(at) + lows.read(63 - at));
         let own = if at % 3 == 0 { lows } else { highs };
         scanning(id, &params, input, own, second.view());
         if at < 64 {
-            halving(id, &params, input, boths, third.view());
+            halving(id, &params, input, totals, third.view());
         }
-        boths.write(at, boths.read(at) + own.read(at));
+        totals.write(at, totals.read(at) + own.read(at));
         // in the place of another workgroup
         let id = Invocation { workgroup: muslin::glam::UVec3::X, ..id };
         halving(id, &params, both_inputs, elsewheres, fourth.view());

@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 use glam::Vec2;
 use muslin_check::prelude::*;
 use muslin_device::{Buffer, Device, Result};
-use muslin_everyday_kernels::fft::{FftParams, FftPassInputs, FftPassKernel};
+use muslin_everyday_kernels::fft::{
+    FftParams, FftPass4Inputs, FftPass4Kernel, FftPassInputs, FftPassKernel,
+};
 
 /// The transform of complex numbers, whose number is a power of two; with a `sign` of 1 in place of -1, the inverse without its factor.
 ///
@@ -20,52 +22,81 @@ pub fn fft(device: &Device, values: &Buffer<Vec2>, sign: f32) -> Result<Buffer<V
     let mut now = values.clone();
     let mut done = 1;
     while done < count {
-        let params = FftParams { half: count / 2, done, sign };
+        let radix = if count / done >= 4 { 4 } else { 2 };
+        let params = FftParams { part: count / radix, done, sign };
         let next = device.unwritten("transforms", values.len())?;
-        device.run_all(&FftPassKernel { params, input: &now, output: &next })?;
+        match radix {
+            4 => device.run_all(&FftPass4Kernel { params, input: &now, output: &next })?,
+            _ => device.run_all(&FftPassKernel { params, input: &now, output: &next })?,
+        }
         now = next;
-        done *= 2;
+        done *= radix;
     }
     Ok(now)
 }
 
 case!(pub FftPass(FftPassInputs));
+case!(pub FftPass4(FftPass4Inputs));
+
+/// Parameters, with `part` and `done`, and values for them.
+fn inputs(radix: u32, [part, done]: [u32; 2]) -> (String, FftParams, Vec<Vec2>, Vec<Vec2>) {
+    let mut random = Random::new((part + done).into());
+    let mut value = |_| Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+    let params = FftParams { part, done, sign: -1.0 };
+    let count = radix * part;
+    let name = format!("{done} of {count}");
+    (name, params, (0..count).map(&mut value).collect(), unwritten(count as usize))
+}
+
+/// Transforms of `radix` times the length: the sums of the definition.
+fn joined(radix: u32, params: FftParams, input: &[Vec2]) -> Vec<Option<Rounded>> {
+    let FftParams { part, done, sign } = params;
+    let error = 1e-6 * f64::from(radix - 1);
+    let mut all = vec![None; 2 * input.len()];
+    for index in 0..part {
+        let k = index % done;
+        for output in 0..radix {
+            let mut sum = [Rounded::from(0.0_f64); 2];
+            for term in 0..radix {
+                // the turns of the values, which the kernel takes from `math::sin` and `cos`, and of their own transform
+                let turns = f64::from(term * (k + output * done)) / f64::from(radix * done);
+                let angle = 2.0 * PI * f64::from(sign) * turns;
+                let [cos, sin] = [angle.cos(), angle.sin()].map(|x| Rounded::within(x, error));
+                let value = input[(index + term * part) as usize];
+                let [x, y] = [value.x, value.y].map(Rounded::from);
+                sum = [sum[0] + x * cos - y * sin, sum[1] + x * sin + y * cos];
+            }
+            let to = ((index - k) * radix + k + output * done) as usize;
+            [all[2 * to], all[2 * to + 1]] = sum.map(Some);
+        }
+    }
+    all
+}
 
 impl Parity for FftPass {
     fn sets() -> Vec<(String, Self)> {
-        let set = |[half, done]: [u32; 2]| {
-            let mut random = Random::new((half + done).into());
-            let mut value = |_| Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
-            let inputs = FftPassInputs {
-                params: FftParams { half, done, sign: -1.0 },
-                input: (0..2 * half).map(&mut value).collect(),
-                output: unwritten(2 * half as usize),
-            };
-            (format!("{done} of {}", 2 * half), Self(inputs))
+        let set = |of| {
+            let (name, params, input, output) = inputs(2, of);
+            (name, Self(FftPassInputs { params, input, output }))
         };
         [[1, 1], [4, 2], [64, 64], [512, 1], [512, 32]].map(set).into()
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
-        let FftParams { half, done, sign } = self.params;
-        let mut all = vec![None; 4 * half as usize];
-        for index in 0..half {
-            let k = index % done;
-            let angle = f64::from(sign) * PI * f64::from(k) / f64::from(done);
-            // `math::sin` and `cos`, of a product and a quotient
-            let [cos, sin] = [angle.cos(), angle.sin()].map(|x| Rounded::within(x, 1e-6));
-            let read = |at: u32| {
-                let value = self.input[at as usize];
-                [value.x, value.y].map(Rounded::from)
-            };
-            let [a, b] = [read(index), read(index + half)];
-            let b = [b[0] * cos - b[1] * sin, b[0] * sin + b[1] * cos];
-            let to = ((index - k) * 2 + k) as usize;
-            for axis in 0..2 {
-                all[2 * to + axis] = Some(a[axis] + b[axis]);
-                all[2 * (to + done as usize) + axis] = Some(a[axis] - b[axis]);
-            }
-        }
-        all
+        joined(2, self.params, &self.input)
+    }
+}
+
+impl Parity for FftPass4 {
+    fn sets() -> Vec<(String, Self)> {
+        let set = |of| {
+            let (name, params, input, output) = inputs(4, of);
+            (name, Self(FftPass4Inputs { params, input, output }))
+        };
+        [[1, 1], [4, 2], [64, 64], [512, 1], [512, 32]].map(set).into()
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
+        joined(4, self.params, &self.input)
     }
 }

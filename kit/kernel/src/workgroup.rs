@@ -1,6 +1,6 @@
 //! Workgroups with barriers on the CPU: each invocation is a coroutine that yields at them.
 //!
-//! A device runs a kernel this way if `#[kernel]` cannot cut it into [regions](crate::regions). So does [`Workgroup`], for a unit test beside
+//! A device runs a kernel this way if `#[kernel]` cannot cut it into [regions]. So does [`Workgroup`], for a unit test beside
 //! a kernel. In a debug build it runs the regions of a kernel that is cut, if all invocations call that with the same arguments:
 //!
 //! ```

@@ -272,8 +272,8 @@ mod tests {
     #[test]
     fn many_samples_are_few_chunks_on_a_card() {
         const CARD: u64 = (1 << 31) - 1;
-        // of 80 GB, and one that does not tell its memory
-        for (share, all) in [(80 << 24, [1, 1, 1, 1]), (CHUNK_BYTES, [1, 1, 3, 8])] {
+        // of 80 GB, whose binding holds 932,000 samples, and one that does not tell its memory
+        for (share, all) in [(80 << 24, [1, 1, 1, 2]), (CHUNK_BYTES, [1, 1, 3, 8])] {
             for (samples, expected) in [1, 1 << 17, 300_000, 1 << 20].into_iter().zip(all) {
                 let chunks = u32::div_ceil(samples, gpu_chunk(samples, CARD, share));
                 assert_eq!(chunks, expected, "{samples} with {share} bytes");

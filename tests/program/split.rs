@@ -139,7 +139,8 @@ fn blocks_are_trained_apart_and_shown_as_one_scene() {
         sandbox.run(&words).json()["mean"]["psnr"].as_f64().unwrap()
     };
     let both = found["mean"]["psnr"].as_f64().unwrap();
-    assert!(both > one("block-0") + 1.0 && both > one("block-1") + 1.0, "{both}");
+    let alone = ["block-0", "block-1"].map(one);
+    assert!(alone.iter().all(|alone| both > alone + 0.5), "{both}, alone {alone:?}");
     sandbox.run("film runs -o film --frames 2 --size 32x32 --backend cpu").assert_ok();
     sandbox.run("export-web runs -o page --size 64x48 --backend cpu").assert_ok();
     sandbox.run("export runs -o all.ply --steps 0 --side 32 --backend cpu").assert_ok();

@@ -23,7 +23,7 @@ Examples:
   organza train blocks/block-2 -o runs/block-2 on another machine
   organza render runs -o images                all blocks as one scene
 
-A block is a part of the ground, with about as much work as each other, and the photographs that look into it. It is a data set: \
+A block is a part of the ground, and the photographs that look into it. All blocks have about the same work. A block is a data set: \
 its folder names photographs of DATA, and copies none. What lies beyond the block is trained along, coarsely, and left out of the \
 result. report.html shows the blocks from above.";
 

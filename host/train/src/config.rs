@@ -71,8 +71,8 @@ const VISITS: f64 = 20.0;
 const MIN_STEPS: f64 = 8000.0;
 /// Largest number of steps of such a run, on a CPU and on a GPU.
 const MAX_STEPS: [f64; 2] = [10_000.0, 100_000.0];
-/// Pixels of photographs for each Gaussian on a GPU, where settings leave the number of Gaussians open and steps draw each pixel 20
-/// times. 3D Gaussian Splatting has about as many.
+/// Pixels of photographs for each Gaussian on a GPU, where settings leave the number of Gaussians open and steps draw each pixel
+/// `VISITS` times. 3D Gaussian Splatting has about as many.
 pub const PIXELS_PER_GAUSSIAN: f64 = 500.0;
 /// Smallest number of Gaussians of such a run, and the number on a CPU.
 const MIN_GAUSSIANS: f64 = 30_000.0;

@@ -20,8 +20,9 @@ impl TensorSpec {
         self.shape.iter().fold(1, |values, &size| values.saturating_mul(size))
     }
 
-    /// Whether a scene has the tensor: without slopes or shapes, it does not even have empty ones.
+    /// Whether a scene has the tensor: not if its rows are empty. But two are as old as the format, which has them anyway.
     pub(super) fn is_in_scene(&self) -> bool {
-        !["gaussians.slope", "gaussians.shape"].contains(&&*self.name) || self.shape[1] > 0
+        const ALWAYS: [&str; 2] = ["gaussians.material", "gaussians.extra"];
+        !self.shape[1..].contains(&0) || ALWAYS.contains(&&*self.name)
     }
 }

@@ -80,7 +80,7 @@ pub struct BatchPart {
 }
 
 /// What the host knows of a part's pairs, intersections and samples.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 enum Need {
     /// Nothing: it may be predicted.
     Unknown,

@@ -38,14 +38,20 @@ pub fn fft(device: &Device, values: &Buffer<Vec2>, sign: f32) -> Result<Buffer<V
 case!(pub FftPass(FftPassInputs));
 case!(pub FftPass4(FftPass4Inputs));
 
-/// Parameters, with `part` and `done`, and values for them.
-fn inputs(radix: u32, [part, done]: [u32; 2]) -> (String, FftParams, Vec<Vec2>, Vec<Vec2>) {
-    let mut random = Random::new((part + done).into());
-    let mut value = |_| Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
-    let params = FftParams { part, done, sign: -1.0 };
-    let count = radix * part;
-    let name = format!("{done} of {count}");
-    (name, params, (0..count).map(&mut value).collect(), unwritten(count as usize))
+/// What a pass of this radix binds.
+type Bound = (FftParams, Vec<Vec2>, Vec<Vec2>);
+
+/// Named sets of the passes of a radix.
+fn sets<T>(radix: u32, new: impl Fn(Bound) -> T) -> Vec<(String, T)> {
+    let set = |[part, done]: [u32; 2]| {
+        let mut random = Random::new((part + done).into());
+        let mut value = |_| Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+        let count = radix * part;
+        let params = FftParams { part, done, sign: -1.0 };
+        let input = (0..count).map(&mut value).collect();
+        (format!("{done} of {count}"), new((params, input, unwritten(count as usize))))
+    };
+    [[1, 1], [4, 2], [64, 64], [512, 1], [512, 32]].map(set).into()
 }
 
 /// Transforms of `radix` times the length: the sums of the definition.
@@ -75,11 +81,7 @@ fn joined(radix: u32, params: FftParams, input: &[Vec2]) -> Vec<Option<Rounded>>
 
 impl Parity for FftPass {
     fn sets() -> Vec<(String, Self)> {
-        let set = |of| {
-            let (name, params, input, output) = inputs(2, of);
-            (name, Self(FftPassInputs { params, input, output }))
-        };
-        [[1, 1], [4, 2], [64, 64], [512, 1], [512, 32]].map(set).into()
+        sets(2, |(params, input, output)| Self(FftPassInputs { params, input, output }))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
@@ -89,11 +91,7 @@ impl Parity for FftPass {
 
 impl Parity for FftPass4 {
     fn sets() -> Vec<(String, Self)> {
-        let set = |of| {
-            let (name, params, input, output) = inputs(4, of);
-            (name, Self(FftPass4Inputs { params, input, output }))
-        };
-        [[1, 1], [4, 2], [64, 64], [512, 1], [512, 32]].map(set).into()
+        sets(4, |(params, input, output)| Self(FftPass4Inputs { params, input, output }))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {

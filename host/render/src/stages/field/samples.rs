@@ -25,7 +25,7 @@ const GROUP: u32 = 1 << 14;
 const CPU_CHUNK: u32 = 1 << 11;
 /// Smallest and largest number of samples of a chunk on a GPU. The largest fills any GPU, and there are few dispatches.
 const GPU_CHUNKS: [u32; 2] = [BLOCK, 1 << 20];
-/// Bytes of a chunk's widest table on a GPU that has to hold all samples: this many, or this share of its memory if that is more.
+/// One chunk has all samples on a GPU while its widest table takes at most this many bytes, or this share of the memory if that is more.
 const CHUNK_BYTES: u64 = 64 << 20;
 const CHUNK_SHARES: u64 = 64;
 /// Rows of the widest table of a chunk.

@@ -54,6 +54,23 @@ compile_error!("words and 64-bit sums are read as GPUs store them, with the low 
 // `#[kernel]` generates the path `::muslin`, also in this crate
 extern crate self as muslin;
 
+/// What `#[kernel]` adds in debug builds on the CPU. It asks how this crate is built, not the author's: so a crate of kernels can do
+/// without the standard library's checks and keep these.
+#[doc(hidden)]
+#[macro_export]
+#[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+macro_rules! checked {
+    (($($checked:tt)*) else ($($plain:tt)*)) => { $($checked)* };
+    ($($checked:tt)*) => { $($checked)* };
+}
+#[doc(hidden)]
+#[macro_export]
+#[cfg(not(all(not(target_arch = "spirv"), debug_assertions)))]
+macro_rules! checked {
+    (($($checked:tt)*) else ($($plain:tt)*)) => { $($plain)* };
+    ($($checked:tt)*) => {};
+}
+
 // before `lane`, which has its macros
 #[cfg(not(target_arch = "spirv"))]
 #[macro_use]

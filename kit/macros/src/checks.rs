@@ -19,8 +19,7 @@ pub fn add(block: &mut Block, has_barriers: Option<Expr>) {
     if let Some(has_barriers) = has_barriers {
         let name = own("_has_barriers");
         let statement = parse_quote! {
-            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            let #name = #has_barriers;
+            ::muslin::checked!(let #name = #has_barriers;);
         };
         block.stmts.insert(0, statement);
     }
@@ -106,15 +105,13 @@ impl Checks {
     /// Counts a loop. The message of one that takes too many iterations has the place of its first word.
     fn count(&self, body: &mut Block, span: Span) {
         let count = parse_quote_spanned! { span =>
-            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            ::muslin::kernel::iterate();
+            ::muslin::checked!(::muslin::kernel::iterate(););
         };
         body.stmts.insert(0, count);
         if self.notes_paths {
             let scope = own("_scope");
             let round = parse_quote! {
-                #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-                #scope.round();
+                ::muslin::checked!(#scope.round(););
             };
             body.stmts.insert(0, round);
         }
@@ -136,8 +133,7 @@ impl Checks {
         let span = cast.as_token.span();
         let name = own("_value");
         let check: Stmt = parse_quote_spanned! { span =>
-            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            ::muslin::kernel::check_cast::<#ty, _>(#name);
+            ::muslin::checked!(::muslin::kernel::check_cast::<#ty, _>(#name););
         };
         cast.expr = parse_quote_spanned! { span => { let #name = #value; #check #name }};
     }
@@ -154,14 +150,12 @@ impl Checks {
             Expr::Binary(ExprBinary { left, .. }) if !can_grow(expression) => {
                 parse_quote_spanned! { span => {
                     #expression;
-                    #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-                    ::muslin::kernel::check_usize(&#left);
+                    ::muslin::checked!(::muslin::kernel::check_usize(&#left););
                 }}
             }
             _ => parse_quote_spanned! { span => {
                 let #name = #expression;
-                #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-                ::muslin::kernel::check_usize(&#name);
+                ::muslin::checked!(::muslin::kernel::check_usize(&#name););
                 #name
             }},
         };
@@ -191,8 +185,7 @@ impl Checks {
     fn branch(span: Span) -> Stmt {
         let name = own("_has_barriers");
         parse_quote_spanned! { span =>
-            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            let _branch = ::muslin::kernel::Scope::new(#name);
+            ::muslin::checked!(let _branch = ::muslin::kernel::Scope::new(#name););
         }
     }
 }
@@ -262,8 +255,7 @@ impl VisitMut for Checks {
         if self.notes_paths {
             let [name, has_barriers] = ["_scope", "_has_barriers"].map(own);
             let scope: Stmt = parse_quote_spanned! { span =>
-                #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-                let mut #name = ::muslin::kernel::Scope::new(#has_barriers);
+                ::muslin::checked!(let mut #name = ::muslin::kernel::Scope::new(#has_barriers););
             };
             *expression = parse_quote! {{ #scope #expression }};
         }

@@ -20,7 +20,7 @@ pub fn cpu_run(kernel: &Kernel, has_regions: bool) -> TokenStream {
                 Regions(
                     ::muslin::kernel::RegionRuns {
                         // debug builds watch always
-                        plain: self::#regions::<{ !::core::cfg!(debug_assertions) }>,
+                        plain: self::#regions::<{ !::muslin::kernel::IS_CHECKED }>,
                         watched: self::#regions::<false>,
                     },
                     #run,
@@ -118,10 +118,7 @@ pub fn run_arithmetic(kernel: &Kernel) -> TokenStream {
         [::core::option::Option<unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation)>; 2]
     };
     hygienic! {
-        #[cfg(debug_assertions)]
-        const RUN_ARITHMETIC: #ty = [#(#runs),*];
-        #[cfg(not(debug_assertions))]
-        const RUN_ARITHMETIC: #ty = [#none; 2];
+        const RUN_ARITHMETIC: #ty = ::muslin::checked!(([#(#runs),*]) else ([#none; 2]));
     }
 }
 

@@ -56,10 +56,11 @@ fn arithmetic_functions(kernel: &Kernel) -> TokenStream {
         function
     });
     quote! {#(
-        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        #[allow(warnings, clippy::all)]
-        #[inline(always)]
-        #functions
+        ::muslin::checked! {
+            #[allow(warnings, clippy::all)]
+            #[inline(always)]
+            #functions
+        }
     )*}
 }
 

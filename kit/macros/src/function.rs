@@ -27,13 +27,11 @@ pub fn function(kernel: &Kernel) -> syn::ItemFn {
     });
     let [x, y, z] = &kernel.threads;
     let witness = parse_quote! {
-        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        let _witness = ::muslin::kernel::PanicContext::new(#name, #id, [#x, #y, #z]);
+        ::muslin::checked!(let _witness = ::muslin::kernel::PanicContext::new(#name, #id, [#x, #y, #z]););
     };
     let max = max_iterations(kernel);
     let max = parse_quote! {
-        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        ::muslin::kernel::allow_iterations(#max);
+        ::muslin::checked!(::muslin::kernel::allow_iterations(#max););
     };
     checks::add(&mut function.block, has_barriers(kernel));
     let statements: Vec<syn::Stmt> = [witness, max].into_iter().chain(named).collect();

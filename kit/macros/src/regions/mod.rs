@@ -88,8 +88,7 @@ fn whole(kernel: &Kernel, writer: &Writer, body: &TokenStream) -> TokenStream {
             let #id = &first;
             let mut place = first;
             let count: u32 = #count;
-            #[cfg(debug_assertions)]
-            regions.allow_iterations(#max);
+            ::muslin::checked!(regions.allow_iterations(#max););
             #(#views)*
             #arrays
             #body
@@ -107,14 +106,15 @@ pub fn call(kernel: &Kernel) -> syn::Stmt {
         kernel.parameters.iter().partition(|parameter| matches!(parameter.role, Role::Shared(_)));
     let arguments = bindings.into_iter().chain(shared).map(|Parameter { name, .. }| name);
     syn::parse2(hygienic! {
-        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        if ::muslin::workgroup::run_together(
-            #text,
-            self::#regions::<false>,
-            #id,
-            &[#(::muslin::kernel::CpuBinding::from(#arguments)),*],
-        ) {
-            return;
+        ::muslin::checked! {
+            if ::muslin::workgroup::run_together(
+                #text,
+                self::#regions::<false>,
+                #id,
+                &[#(::muslin::kernel::CpuBinding::from(#arguments)),*],
+            ) {
+                return;
+            }
         }
     })
     .expect("a statement")

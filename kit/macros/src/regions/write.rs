@@ -109,8 +109,7 @@ impl Writer<'_> {
         // the message has the loop's place
         let regions = Ident::new("regions", Span::mixed_site());
         let count = quote_spanned! { at =>
-            #[cfg(debug_assertions)]
-            #regions.iterate();
+            ::muslin::checked!(#regions.iterate(););
         };
         let barriers = [barrier_of(body), quote!(::core::option::Option::None)];
         match head {

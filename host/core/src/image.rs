@@ -160,41 +160,30 @@ impl Image {
     /// # Errors
     /// If the encoder fails. It writes to memory.
     pub fn encode_png(&self) -> io::Result<Vec<u8>> {
-        let pixels = Pixels {
-            bytes: self.pixels.as_flattened(),
-            size: self.size(),
-            color: ColorType::Rgb,
-            depth: BitDepth::Eight,
-        };
-        pixels.png()
+        png_of(self.pixels.as_flattened(), self.size(), ColorType::Rgb, BitDepth::Eight)
     }
 }
 
-/// Pixels for a PNG, row by row. Values of 16 bits have their higher byte first.
-struct Pixels<'a> {
-    bytes: &'a [u8],
-    size: [u32; 2],
+/// A PNG file of pixels, row by row. Values of 16 bits have their higher byte first. It is made in memory: the encoder's errors of a
+/// disk do not say what failed.
+fn png_of(
+    pixels: &[u8],
+    [width, height]: [u32; 2],
     color: ColorType,
     depth: BitDepth,
-}
-
-impl Pixels<'_> {
-    /// The file. It is made in memory: the encoder's errors of a disk do not say what failed.
-    fn png(&self) -> io::Result<Vec<u8>> {
-        let [width, height] = self.size;
-        let mut file = Vec::new();
-        let mut encoder = png::Encoder::new(&mut file, width, height);
-        encoder.set_color(self.color);
-        encoder.set_depth(self.depth);
-        encoder.set_compression(png::Compression::Fast);
-        encoder.set_filter(png::Filter::Adaptive);
-        let mut writer = encoder.write_header()?;
-        let mut rows = writer.stream_writer_with_size(1 << 20)?;
-        rows.write_all(self.bytes)?;
-        rows.finish()?;
-        writer.finish()?;
-        Ok(file)
-    }
+) -> io::Result<Vec<u8>> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width, height);
+    encoder.set_color(color);
+    encoder.set_depth(depth);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::Filter::Adaptive);
+    let mut writer = encoder.write_header()?;
+    let mut rows = writer.stream_writer_with_size(1 << 20)?;
+    rows.write_all(pixels)?;
+    rows.finish()?;
+    writer.finish()?;
+    Ok(file)
 }
 
 /// Rounds a value from 0 to 1 to the nearest of 256 levels. Values outside are clamped, and NaN is 0.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use png::{BitDepth, ColorType};
 
-use super::{Pixels, visible_pixels};
+use super::{png_of, visible_pixels};
 use crate::error::argument;
 use crate::{Channel, RenderedTiles, Result, TileBatch, write_atomic};
 use muslin_error::memory;
@@ -119,13 +119,8 @@ impl ChannelImage {
         };
         let values = (0..pixels).flat_map(|at| (0..planes).map(move |plane| plane * pixels + at));
         let levels: Vec<_> = values.map(|at| level(self.values[at]).to_be_bytes()).collect();
-        let pixels = Pixels {
-            bytes: levels.as_flattened(),
-            size: self.size,
-            color: if planes == 3 { ColorType::Rgb } else { ColorType::Grayscale },
-            depth: BitDepth::Sixteen,
-        };
-        pixels.png()
+        let color = if planes == 3 { ColorType::Rgb } else { ColorType::Grayscale };
+        png_of(levels.as_flattened(), self.size, color, BitDepth::Sixteen)
     }
 }
 

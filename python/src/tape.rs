@@ -27,6 +27,7 @@ pub struct Tape {
     pub renderer: organza::Renderer,
     pub held: Arc<Mutex<SceneOnDevice>>,
     pub tape: Arc<Mutex<organza::Tape>>,
+    #[pyo3(get)]
     pub shape: [usize; 4],
     pub cameras: usize,
 }
@@ -106,11 +107,6 @@ impl Tape {
     /// Frees the recorded data. `backward` then renders again.
     fn release(&self, py: Python<'_>) {
         py.detach(|| lock(&self.tape).release());
-    }
-
-    #[getter]
-    fn shape(&self) -> [usize; 4] {
-        self.shape
     }
 }
 

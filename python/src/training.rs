@@ -161,7 +161,7 @@ impl Training {
                 dict.set_item("text", text)?;
                 "warning"
             }
-            Message::Step(StepNumbers { step, seconds, loss, psnr, gaussians, densified }) => {
+            Message::Step { step, seconds, loss, psnr, gaussians, densified } => {
                 dict.set_item("step", step)?;
                 dict.set_item("seconds", seconds)?;
                 dict.set_item("loss", loss)?;
@@ -284,20 +284,11 @@ fn open_folder(path: &Path, resume: bool) -> PyResult<RunFolder> {
 /// A message of the thread.
 pub enum Message {
     Warning(String),
-    Step(StepNumbers),
+    Step { step: u32, seconds: f64, loss: f64, psnr: f64, gaussians: usize, densified: bool },
     Evaluated { step: u32, psnr: Option<f64>, ssim: Option<f64> },
     Loss { rendered: Vec<f32>, target: Vec<f32>, valid: Vec<f32>, shape: [usize; 4] },
     Scene(Box<organza::Result<organza::Scene>>),
     End(organza::Result<&'static str>),
-}
-
-pub struct StepNumbers {
-    pub step: u32,
-    pub seconds: f64,
-    pub loss: f64,
-    pub psnr: f64,
-    pub gaussians: usize,
-    pub densified: bool,
 }
 
 /// An answer of Python.
@@ -361,14 +352,15 @@ impl Run {
                 Event::Warning(text) => self.send(Message::Warning(text.to_owned())),
                 Event::Step { step, seconds, report, scene, .. } => {
                     now = step;
-                    let loss = report.loss;
-                    let psnr = report.psnr;
-                    let gaussians = scene.len();
-                    let densified = report.densified.is_some();
-                    self.step(
-                        StepNumbers { step, seconds, loss, psnr, gaussians, densified },
-                        scene,
-                    );
+                    self.send(Message::Step {
+                        step,
+                        seconds,
+                        loss: report.loss,
+                        psnr: report.psnr,
+                        gaussians: scene.len(),
+                        densified: report.densified.is_some(),
+                    });
+                    self.send_scenes(scene);
                 }
                 Event::Evaluated(evaluation) => {
                     let psnr = evaluation.mean.psnr;
@@ -389,9 +381,8 @@ impl Run {
         })
     }
 
-    /// Reports a step, and sends its scene on request, until Python continues.
-    fn step(&self, numbers: StepNumbers, scene: &organza::DeviceScene) {
-        self.send(Message::Step(numbers));
+    /// Sends the scene of a step on request, until Python continues.
+    fn send_scenes(&self, scene: &organza::DeviceScene) {
         while let Ok(Answer::Scene) = self.answers.recv() {
             self.send(Message::Scene(Box::new(scene.download(self.device.device()))));
         }

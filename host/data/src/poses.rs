@@ -54,6 +54,13 @@ pub struct Pose {
     pub distorted: bool,
 }
 
+/// The camera alone, of no photograph.
+impl From<Camera> for Pose {
+    fn from(camera: Camera) -> Self {
+        Self { camera, held_out: false, photograph: None, distorted: false }
+    }
+}
+
 impl Poses {
     /// Reads the cameras of a data set, with the same `path` as [`Dataset::load`].
     ///

@@ -112,8 +112,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         );
     }
     let source = SceneSource::find(&args.scene)?;
-    let inputs: Vec<_> = [source.named()].into_iter().chain(args.data.as_deref()).collect();
-    check_scene_file(&args.output, &inputs)?;
+    check_scene_file(&args.output, [source.named()].into_iter().chain(args.data.as_deref()))?;
     let mut scene = source.load(console)?;
     let gaussians_before = scene.gaussians.len();
     // before any view is rendered, so that a box beside the scene costs no time
@@ -172,9 +171,7 @@ impl Args {
         let Cameras { list, data, .. } =
             Cameras::load(source, self.data.as_deref(), &self.data_args, console)?;
         let Some(mut data) = data else {
-            let pose =
-                |camera| Pose { camera, held_out: false, photograph: None, distorted: false };
-            let poses = list.into_iter().map(pose).collect();
+            let poses = list.into_iter().map(Pose::from).collect();
             return Ok(Views { poses, photographs: Photographs::default(), split: Split::All });
         };
         let poses = data.cameras()?;

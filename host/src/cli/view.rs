@@ -6,11 +6,11 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::time::Duration;
 
+use organza::Result;
 use organza::data::{Point, Pose};
 use organza::view::{
     About, Editor, FrameRenderer, Photographs, Places, Purpose, Queue, Server, Stage,
 };
-use organza::{Camera, Result};
 
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
@@ -127,7 +127,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut scenes = shown.load(console)?;
     let server = args.server.listen(console)?;
     let renderer = args.device.open(console)?;
-    let uploaded = shown.upload(&scenes, &args.scene_args, &renderer)?;
+    let uploaded = shown.upload(&scenes, args.scene_args.options(), &renderer)?;
     let title = title(source.named());
     let has_photographs = !photographs.is_empty();
     let purpose = if args.edit.is_some() { Purpose::Edit } else { Purpose::Look };
@@ -173,13 +173,7 @@ fn surroundings(
         let cameras = Cameras::load(source, Some(file), &args.data_args, console)?;
         // a data set's file means that data set; another file has just cameras
         if !cameras.has_photographs() {
-            let pose = |camera: Camera| Pose {
-                camera,
-                held_out: false,
-                photograph: None,
-                distorted: false,
-            };
-            let poses = cameras.list.into_iter().map(pose).collect();
+            let poses = cameras.list.into_iter().map(Pose::from).collect();
             return Ok((poses, Photographs::default(), Vec::new()));
         }
     }

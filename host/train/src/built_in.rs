@@ -62,10 +62,8 @@ pub fn cameras(data: &DataConfig) -> Vec<Pose> {
     let options = data.options();
     let cameras = demo::turntable(data.built_in_views as usize, data.built_in_side);
     let pose = |(index, camera)| Pose {
-        camera: Camera { file_path: Some(name(index)), ..camera },
         held_out: options.holds_out(index),
-        photograph: None,
-        distorted: false,
+        ..Pose::from(Camera { file_path: Some(name(index)), ..camera })
     };
     cameras.into_iter().enumerate().map(pose).collect()
 }

@@ -32,9 +32,9 @@ pub enum Purpose {
 /// Facts that the page gets when it opens.
 #[derive(Debug)]
 pub struct About {
-    json: String,
+    pub(super) json: String,
     /// Positions as f32, followed by colors.
-    points: Vec<u8>,
+    pub(super) points: Vec<u8>,
     pub(super) placement: Placement,
 }
 
@@ -92,14 +92,6 @@ impl About {
         let json = told.to_string();
         let points = [bytemuck::cast_slice(&positions), &*colors].concat();
         Self { json, points, placement: config.placement }
-    }
-
-    pub(super) fn json(&self) -> &str {
-        &self.json
-    }
-
-    pub(super) fn points(&self) -> &[u8] {
-        &self.points
     }
 }
 

@@ -11,7 +11,7 @@ use hyper::header::{COOKIE, HOST, HeaderMap, ORIGIN};
 #[derive(Clone, Debug)]
 pub struct Guard {
     /// The token that every client needs. Other users of this machine can reach the server, too.
-    token: String,
+    pub token: String,
     /// Whether the server only listens to this machine.
     is_local: bool,
 }
@@ -32,16 +32,12 @@ impl Guard {
         Self { token, is_local: address.ip().is_loopback() }
     }
 
-    /// The token that every client needs.
-    pub fn token(&self) -> &str {
-        &self.token
-    }
-
     /// Checks a request's headers, and the part of its address after the `?`.
     pub fn judge(&self, headers: &HeaderMap, query: Option<&str>) -> Access {
         let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
         let Some(host) = text(HOST) else { return Access::Refused("the request names no host") };
-        if self.is_local && !is_this_machine(host) {
+        let (machine, port) = name_and_port(host);
+        if self.is_local && !["localhost", "127.0.0.1", "[::1]"].contains(&machine) {
             return Access::Refused("the request is for another host");
         }
         if headers.contains_key(ORIGIN) {
@@ -51,7 +47,8 @@ impl Guard {
             }
         }
         let token = &self.token;
-        let name = cookie_name(host);
+        // a browser sends a cookie to every port of a host, so each port has its own name
+        let name = format!("organza-token-{port}");
         let cookies = text(COOKIE).unwrap_or_default().split(';');
         if has(cookies, &name, token) {
             return Access::Allowed { cookie: None };
@@ -70,16 +67,6 @@ fn name_and_port(host: &str) -> (&str, &str) {
         Some((name, port)) if port.bytes().all(|byte| byte.is_ascii_digit()) => (name, port),
         _ => (host, "80"),
     }
-}
-
-/// Whether a host name belongs to this machine.
-fn is_this_machine(host: &str) -> bool {
-    ["localhost", "127.0.0.1", "[::1]"].contains(&name_and_port(host).0)
-}
-
-/// Name of the cookie with the token. A browser sends a cookie to every port of a host, so each port has its own name.
-fn cookie_name(host: &str) -> String {
-    format!("organza-token-{}", name_and_port(host).1)
 }
 
 /// Whether one of the `name=value` pairs is this one. The time does not depend on the place of a difference.

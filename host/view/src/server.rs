@@ -94,7 +94,7 @@ impl Server {
     pub fn url(&self) -> String {
         let address = self.listener.local_addr().map(|address| address.to_string());
         let address = address.unwrap_or_default();
-        format!("http://{address}/?token={}", self.guard.token())
+        format!("http://{address}/?token={}", self.guard.token)
     }
 
     /// Starts to answer requests.
@@ -188,50 +188,43 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
     let path = request.uri().path().to_owned();
     let json = |bytes: &[u8]| Ok(text(StatusCode::OK, "application/json", bytes));
     match (&method, path.as_str()) {
-        (&Method::GET, "/scene.json") => json(viewer.about.json().as_bytes()),
+        (&Method::GET, "/scene.json") => json(viewer.about.json.as_bytes()),
         (&Method::GET, "/points") => {
-            Ok(text(StatusCode::OK, "application/octet-stream", viewer.about.points()))
+            Ok(text(StatusCode::OK, "application/octet-stream", &viewer.about.points))
         }
         (&Method::GET, "/training.json") => json(viewer.training()?.to_json().as_bytes()),
         (&Method::POST, "/training") => {
-            viewer.training()?.command(parsed(&body(request).await?)?);
+            viewer.training()?.command(body(request).await?);
             json(b"{}")
         }
         (&Method::POST, "/frame") => {
-            let request: FrameRequest = parsed(&body(request).await?)?;
+            let request: FrameRequest = body(request).await?;
             request.check().map_err(refused)?;
             let (reply, answer) = oneshot::channel();
             viewer.queue.post(Box::new(FrameJob { request, reply }));
             rendered(answer).await
         }
         (&Method::POST, "/explain") => {
-            let request: PixelRequest = parsed(&body(request).await?)?;
+            let request: PixelRequest = body(request).await?;
             check(&request.camera).map_err(refused)?;
             ask(viewer, Question::Pixel(request.pixel, Box::new(request.camera))).await
         }
-        (&Method::POST, "/edit") => {
-            let request = parsed(&body(request).await?)?;
-            ask(viewer, Question::Edit(request)).await
-        }
-        (&Method::POST, "/places") => {
-            let request = parsed(&body(request).await?)?;
-            ask(viewer, Question::Place(request)).await
-        }
+        (&Method::POST, "/edit") => ask(viewer, Question::Edit(body(request).await?)).await,
+        (&Method::POST, "/places") => ask(viewer, Question::Place(body(request).await?)).await,
         (&Method::POST, "/cameras.json") => {
-            let keyframes: Vec<Camera> = parsed(&body(request).await?)?;
+            let keyframes: Vec<Camera> = body(request).await?;
             json(&keyframes::write(&keyframes, &viewer.about.placement).map_err(refused)?)
         }
         (&Method::POST, "/path") => {
-            let path: PathRequest = parsed(&body(request).await?)?;
-            let cameras = path.cameras().map_err(refused)?;
-            json(&keyframes::listed(&cameras))
+            let path: PathRequest = body(request).await?;
+            json(&keyframes::listed(&path.cameras().map_err(refused)?))
         }
         (&Method::POST, "/keyframes") => {
-            let file = parsed(&body(request).await?)?;
+            let file = body(request).await?;
             json(&keyframes::read(&file, &viewer.about.placement).map_err(refused)?)
         }
         (&Method::GET, path) => {
-            if let Some((kind, content)) = asset(path) {
+            if let Some((_, kind, content)) = ASSETS.iter().find(|(address, ..)| *address == path) {
                 return Ok(text(StatusCode::OK, kind, content.as_bytes()));
             }
             match path.strip_prefix("/photograph/").and_then(|view| view.parse().ok()) {
@@ -267,17 +260,15 @@ async fn rendered(answer: oneshot::Receiver<Answer>) -> Result<Reply, Refusal> {
     }
 }
 
-async fn body(request: Request<Incoming>) -> Result<Bytes, Refusal> {
+/// The JSON of a request's body.
+async fn body<T: DeserializeOwned>(request: Request<Incoming>) -> Result<T, Refusal> {
     let all = Limited::new(request.into_body(), MAX_BODY).collect();
-    match tokio::time::timeout(PATIENCE, all).await {
-        Ok(Ok(all)) => Ok(all.to_bytes()),
-        Ok(Err(error)) => Err(Refusal(StatusCode::BAD_REQUEST, error.to_string())),
-        Err(_) => Err(Refusal(StatusCode::REQUEST_TIMEOUT, "it took too long".to_owned())),
-    }
-}
-
-fn parsed<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Refusal> {
-    serde_json::from_slice(bytes).map_err(|error| {
+    let bytes = match tokio::time::timeout(PATIENCE, all).await {
+        Ok(Ok(all)) => all.to_bytes(),
+        Ok(Err(error)) => return Err(Refusal(StatusCode::BAD_REQUEST, error.to_string())),
+        Err(_) => return Err(Refusal(StatusCode::REQUEST_TIMEOUT, "it took too long".to_owned())),
+    };
+    serde_json::from_slice(&bytes).map_err(|error| {
         Refusal(StatusCode::BAD_REQUEST, format!("this is not the JSON that was expected: {error}"))
     })
 }
@@ -348,9 +339,3 @@ const ASSETS: [Asset; 23] = [
     ("/uplot.js", SCRIPT, UPLOT_SCRIPT),
     ("/uplot.css", STYLE, UPLOT_STYLE),
 ];
-
-/// The file at an address.
-fn asset(path: &str) -> Option<(&'static str, &'static str)> {
-    let found = ASSETS.iter().find(|(address, ..)| *address == path);
-    found.map(|(_, kind, content)| (*kind, *content))
-}

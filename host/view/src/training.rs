@@ -62,20 +62,17 @@ impl<'a> TrainingView<'a> {
         let queue = Arc::new(Queue::default());
         let photographs = PhotographSource::Dataset(Arc::clone(dataset));
         let frame_renderer = FrameRenderer::new(Arc::clone(&queue), Photographs::new(photographs));
-        let clock = Clock { training: 0.0, images: 0.0, since: Instant::now() };
-        let server = Some(server);
-        let training_status = Arc::default();
         Self {
             renderer,
             dataset,
             stop,
             share,
             title,
-            server,
+            server: Some(server),
             queue,
-            training_status,
+            training_status: Arc::default(),
             frame_renderer,
-            clock,
+            clock: Clock { training: 0.0, images: 0.0, since: Instant::now() },
         }
     }
 
@@ -139,7 +136,7 @@ impl<'a> TrainingView<'a> {
                 file_path: Some(frame.name.clone()),
                 ..frame.camera.clone()
             };
-            Pose { camera, held_out: held_out.contains(&index), photograph: None, distorted: false }
+            Pose { held_out: held_out.contains(&index), ..Pose::from(camera) }
         };
         let poses: Vec<_> = frames.iter().enumerate().map(pose).collect();
         let about = About::new(&self.title, scene, &poses, true, points, Purpose::Train);

@@ -113,7 +113,7 @@ impl Args {
         let Workload { scene, cameras, batch } = workload;
         let renderer = self.device.open(console)?;
         // the host's copy is dropped: rendering does not need it
-        let scene = self.scene_args.upload(&renderer, &{ scene })?;
+        let scene = renderer.upload_with(&{ scene }, self.scene_args.options())?;
         let backward = !self.forward && !self.frame;
         let options = BenchOptions { repeat: self.repeat as usize, backward, frame: self.frame };
         let progress = console.progress("measuring", passes(renderer.device(), options), "passes");

@@ -2,7 +2,8 @@
 
 use clap::CommandFactory;
 use clap_complete::Shell;
-use organza::{Error, Result};
+use organza::Result;
+use organza::error::argument;
 
 use super::Cli;
 use super::console::{Console, print_as_is};
@@ -28,8 +29,7 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Cli::command(), "organza", &mut script);
-    let script =
-        String::from_utf8(script).map_err(|error| Error::Argument { reason: error.to_string() })?;
+    let script = String::from_utf8(script).or_else(|error| argument(error.to_string()))?;
     console.detail(&format!("{} lines for {}", script.lines().count(), args.shell));
     print_as_is(&script)
 }

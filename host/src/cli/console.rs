@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use muslin_device::grouped;
+use organza::error::argument;
 use organza::{Error, Result};
 
 /// Prints notes for the user: the options of every command.
@@ -235,16 +236,21 @@ const MAX_NAME: usize = 80;
 /// Unicode's line ends are escaped too, and so are the marks that change the direction of text.
 fn plain(text: &str) -> Cow<'_, str> {
     let is_plain = |c: char| c == '\n' || !(c.is_control() || is_mark(c));
-    if text.chars().all(is_plain) {
+    escaped(text, is_plain, |c| c.escape_default().to_string())
+}
+
+/// A text with some characters escaped.
+fn escaped(
+    text: &str,
+    is_plain: impl Fn(char) -> bool,
+    escape: impl Fn(char) -> String,
+) -> Cow<'_, str> {
+    if text.chars().all(&is_plain) {
         return text.into();
     }
     let mut escaped = String::with_capacity(text.len() + 16);
     for c in text.chars() {
-        if is_plain(c) {
-            escaped.push(c);
-        } else {
-            escaped.extend(c.escape_default());
-        }
+        if is_plain(c) { escaped.push(c) } else { escaped += &escape(c) }
     }
     escaped.into()
 }
@@ -274,15 +280,11 @@ fn write(text: &str) {
 
 /// Writes data to stdout. It is no error if a reader such as `head` has closed the pipe.
 pub fn print(text: &str) -> Result<()> {
-    write_out(&plain(text))
+    print_as_is(&plain(text))
 }
 
 /// Writes the program's own text to stdout, without escaping control characters.
 pub fn print_as_is(text: &str) -> Result<()> {
-    write_out(text)
-}
-
-fn write_out(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
@@ -294,19 +296,10 @@ fn write_out(text: &str) -> Result<()> {
 
 /// Writes a value to stdout as indented JSON.
 pub fn print_json(value: &impl serde::Serialize) -> Result<()> {
-    let text = serde_json::to_string_pretty(value)
-        .map_err(|error| Error::Argument { reason: error.to_string() })?;
+    let text = serde_json::to_string_pretty(value).or_else(|error| argument(error.to_string()))?;
     // JSON itself escapes characters below the space.
     let is_plain = |c: char| !('\u{7f}'..='\u{9f}').contains(&c) && !is_mark(c);
-    let mut escaped = String::with_capacity(text.len() + 1);
-    for c in text.chars() {
-        if is_plain(c) {
-            escaped.push(c);
-        } else {
-            escaped += &format!("\\u{:04x}", u32::from(c));
-        }
-    }
-    write_out(&(escaped + "\n"))
+    print_as_is(&escaped(&(text + "\n"), is_plain, |c| format!("\\u{:04x}", u32::from(c))))
 }
 
 #[cfg(test)]

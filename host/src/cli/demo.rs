@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::console::{Console, print_json};
 use super::device::DeviceArgs;
-use super::output::Folder;
+use super::output::{Folder, make_empty};
 use super::picture::{Picture, Pictures, warn_not_finite};
 use super::summary::{Cost, Summary, count};
 use super::views::names;
@@ -208,11 +208,7 @@ fn write_photographs(args: &Args, console: Console) -> Result<()> {
     let mut cameras = still_life::cameras(args.views.unwrap_or(PHOTOGRAPHS).into(), size)?;
     let images = folder.join(IMAGES);
     let unfinished = folder.join("images.part");
-    // A call that was stopped has left it.
-    if unfinished.exists() {
-        fs::remove_dir_all(&unfinished).map_err(|source| Error::write(&unfinished, source))?;
-    }
-    fs::create_dir(&unfinished).map_err(|source| Error::write(&unfinished, source))?;
+    make_empty(&unfinished)?;
     let mut pictures = Vec::new();
     {
         let progress = console.progress("ray tracing", cameras.len(), "photographs");

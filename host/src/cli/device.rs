@@ -5,15 +5,14 @@ use std::time::Instant;
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
 use organza::{
-    BackendChoice, DeviceOptions, DeviceScene, InstructionSet, Renderer, Result, Scene, SpirvPath,
-    UploadOptions,
+    BackendChoice, DeviceOptions, InstructionSet, Renderer, Result, SpirvPath, UploadOptions,
 };
 
 use super::console::Console;
 use super::refuse;
 
 /// Storage of the scene on the device.
-#[derive(Debug, Default, clap::Args)]
+#[derive(Debug, clap::Args)]
 pub struct SceneArgs {
     /// Store both hash grids in half precision: half their memory, each feature off by at most 1/2048; no gradients
     #[arg(long, help_heading = "Device", hide_short_help = true)]
@@ -21,11 +20,6 @@ pub struct SceneArgs {
 }
 
 impl SceneArgs {
-    /// Copies the scene to the renderer's device.
-    pub fn upload(&self, renderer: &Renderer, scene: &Scene) -> Result<DeviceScene> {
-        renderer.upload_with(scene, self.options())
-    }
-
     pub fn options(&self) -> UploadOptions {
         UploadOptions { half_grids: self.half_grids }
     }

@@ -76,7 +76,7 @@ impl Args {
         let renderer = self.device.open(console)?;
         let dataset = data.read(&renderer, console)?;
         let frames = frames(self, &dataset, split)?;
-        let scene = shown.upload(&scenes, &self.scene_args, &renderer)?;
+        let scene = shown.upload(&scenes, self.scene_args.options(), &renderer)?;
         let run = source.settings()?;
         let has_exposures = run.is_some_and(|run| run.exposure.learn == LearnExposure::On);
         measure(&renderer, &scene, &frames, self.fit_colors || has_exposures, console)

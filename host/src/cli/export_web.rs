@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 
 use organza::error::format_bytes;
 use organza::web::{PageOptions, WebPage};
-use organza::{Camera, Renderer, Result};
+use organza::{Camera, Renderer, Result, UploadOptions};
 use organza_core::write_atomic;
 
 use super::console::Console;
-use super::device::{DeviceArgs, SceneArgs};
+use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, SceneSource, Shown};
 use super::output::{Folder, check_file, refuse_run};
 use super::{refuse, title};
@@ -63,24 +63,23 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let shown = Shown::find(&args.scene, &args.cameras)?;
     let cameras = cameras(&shown, &args.data, console)?;
-    let inputs: Vec<_> =
-        [shown.source.named()].into_iter().chain(shown.cameras.as_deref()).collect();
     // checked before anything is computed
     let folder = match args.single_file {
         true => {
-            check_file(&args.output, &inputs)?;
+            let inputs = [shown.source.named()].into_iter().chain(shown.cameras.as_deref());
+            check_file(&args.output, inputs)?;
             None
         }
         false => Some(folder(&args.output)?),
     };
     let renderer = args.device.open(console)?;
     let title = args.title.clone().unwrap_or_else(|| page_title(&shown.source));
-    let options = PageOptions { title, size: args.size };
+    let page = PageOptions { title, size: args.size };
     let scenes = shown.load(console)?;
-    let grids = SceneArgs { half_grids: !args.full_grids };
-    let upload = |renderer: &Renderer| shown.upload(&scenes, &grids, renderer);
+    let options = UploadOptions { half_grids: !args.full_grids };
+    let upload = |renderer: &Renderer| shown.upload(&scenes, options, renderer);
     let page = console.during("measuring what images need", || {
-        WebPage::new(&scenes[0], &upload, &cameras, &renderer, &options)
+        WebPage::new(&scenes[0], &upload, &cameras, &renderer, &page)
     })?;
     let (file, bytes) = match &folder {
         None => {

@@ -53,8 +53,7 @@ pub struct Args {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::foreign(&args.file);
-    let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
-    check_scene_file(&args.output, &inputs)?;
+    check_scene_file(&args.output, [source.named()].into_iter().chain(args.cameras.as_deref()))?;
     let mut file = console.during("reading the Gaussians", || splats::load(source.file()))?;
     let name = args.file.display();
     console.note(&format!("{} in {name}", count(file.splats.len() as u64, "Gaussian")));

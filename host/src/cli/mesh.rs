@@ -60,13 +60,12 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let format = MeshFormat::from_path(&args.output)?;
     let shown = Shown::find(&args.scene, &[])?;
     let source = &shown.source;
-    let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
-    check_file(&args.output, &inputs)?;
+    check_file(&args.output, [source.named()].into_iter().chain(args.cameras.as_deref()))?;
     let Cameras { list: cameras, all, .. } =
         Cameras::load(source, args.cameras.as_deref(), &args.data, console)?;
     let scenes = shown.load(console)?;
     let renderer = args.device.open(console)?;
-    let uploaded = shown.upload(&scenes, &args.scene_args, &renderer)?;
+    let uploaded = shown.upload(&scenes, args.scene_args.options(), &renderer)?;
     let mut surfaces = Vec::new();
     {
         let progress = console.progress("finding surfaces", cameras.len(), "views");

@@ -35,7 +35,7 @@ mod views;
 use std::ops::{RangeBounds, RangeInclusive};
 use std::panic;
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{ExitCode, Termination};
 use std::sync::Mutex;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -103,26 +103,26 @@ pub fn main() -> ExitCode {
         Err(error) => return report(error),
     };
     let run = || match &command {
-        Command::Capture(args) => capture::run(args, console).map(done),
-        Command::Split(args) => split::run(args, console).map(done),
-        Command::Train(args) => train::run(args, console).map(done),
-        Command::Tiles(args) => tiles::run(args, console).map(done),
-        Command::Render(args) => render::run(args, console).map(done),
-        Command::Film(args) => film::run(args, console).map(done),
-        Command::Demo(args) => demo::run(args, console).map(done),
-        Command::Info(args) => info::run(args, console).map(done),
-        Command::View(args) => view::run(args, console).map(done),
-        Command::ExportWeb(args) => export_web::run(args, console).map(done),
-        Command::Export(args) => export::run(args, console).map(done),
-        Command::Mesh(args) => mesh::run(args, console).map(done),
-        Command::Import(args) => import::run(args, console).map(done),
-        Command::Edit(args) => edit::run(args, console).map(done),
-        Command::Explain(args) => explain::run(args, console).map(done),
-        Command::Eval(args) => eval::run(args, console).map(done),
-        Command::Compare(args) => compare::run(args, console).map(done),
+        Command::Capture(args) => capture::run(args, console).map(Termination::report),
+        Command::Split(args) => split::run(args, console).map(Termination::report),
+        Command::Train(args) => train::run(args, console).map(Termination::report),
+        Command::Tiles(args) => tiles::run(args, console).map(Termination::report),
+        Command::Render(args) => render::run(args, console).map(Termination::report),
+        Command::Film(args) => film::run(args, console).map(Termination::report),
+        Command::Demo(args) => demo::run(args, console).map(Termination::report),
+        Command::Info(args) => info::run(args, console).map(Termination::report),
+        Command::View(args) => view::run(args, console).map(Termination::report),
+        Command::ExportWeb(args) => export_web::run(args, console).map(Termination::report),
+        Command::Export(args) => export::run(args, console).map(Termination::report),
+        Command::Mesh(args) => mesh::run(args, console).map(Termination::report),
+        Command::Import(args) => import::run(args, console).map(Termination::report),
+        Command::Edit(args) => edit::run(args, console).map(Termination::report),
+        Command::Explain(args) => explain::run(args, console).map(Termination::report),
+        Command::Eval(args) => eval::run(args, console).map(Termination::report),
+        Command::Compare(args) => compare::run(args, console).map(Termination::report),
         Command::Parity(args) => parity::run(args, console),
-        Command::Bench(args) => bench::run(args, console).map(done),
-        Command::Completions(args) => completions::run(args, console).map(done),
+        Command::Bench(args) => bench::run(args, console).map(Termination::report),
+        Command::Completions(args) => completions::run(args, console).map(Termination::report),
     };
     let message = match panic::catch_unwind(run) {
         Ok(Ok(code)) => return code,
@@ -188,11 +188,6 @@ fn usage() -> String {
         }
     }
     usage
-}
-
-/// The exit code of a success.
-fn done(_: ()) -> ExitCode {
-    ExitCode::SUCCESS
 }
 
 static LAST_PANIC: Mutex<String> = Mutex::new(String::new());

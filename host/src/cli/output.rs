@@ -16,13 +16,13 @@ use super::inputs::FileKind;
 use super::refuse;
 
 /// Checks that a file can be written, and that it replaces nothing that the command reads.
-pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
+pub fn check_file<'a>(path: &Path, inputs: impl IntoIterator<Item = &'a Path>) -> Result<()> {
     refuse_replacing(path, inputs, replaced)?;
     organza_core::check_writable(path)
 }
 
 /// [`check_file`] for a scene. A name that promises another format is refused.
-pub fn check_scene_file(path: &Path, inputs: &[&Path]) -> Result<()> {
+pub fn check_scene_file<'a>(path: &Path, inputs: impl IntoIterator<Item = &'a Path>) -> Result<()> {
     if Format::from_path(path).is_ok() {
         return refuse(format!(
             "{}: a scene is written as safetensors; choose a name that ends in .safetensors. `organza export` writes files \
@@ -53,13 +53,13 @@ pub fn refuse_run(folder: &Path) -> Result<()> {
 }
 
 /// Fails if writing to a path would replace what `replaced` names of an input: it gets the existing file and the input.
-pub fn refuse_replacing(
+pub fn refuse_replacing<'a>(
     path: &Path,
-    inputs: &[&Path],
+    inputs: impl IntoIterator<Item = &'a Path>,
     replaced: fn(&Path, &Path) -> Option<String>,
 ) -> Result<()> {
     let Ok(existing) = fs::canonicalize(path) else { return Ok(()) };
-    match inputs.iter().find_map(|input| replaced(&existing, input)) {
+    match inputs.into_iter().find_map(|input| replaced(&existing, input)) {
         Some(replaced) => {
             let path = path.display();
             refuse(format!("the output {path} would replace {replaced}; choose another"))
@@ -170,6 +170,14 @@ impl Drop for Folder {
             let _ = fs::remove_dir(path);
         }
     }
+}
+
+/// Makes a folder for a step, in place of what a call that was stopped has left.
+pub fn make_empty(folder: &Path) -> Result<()> {
+    if folder.exists() {
+        fs::remove_dir_all(folder).map_err(|source| Error::write(folder, source))?;
+    }
+    fs::create_dir(folder).map_err(|source| Error::write(folder, source))
 }
 
 /// Identifies what a result is made of: the scene's file, the options, and the program.

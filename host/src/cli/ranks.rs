@@ -108,7 +108,7 @@ impl RankGroup {
     /// The device of a rank: threads share the cores, and ranks on one machine share its GPUs.
     pub fn device(&self, options: DeviceOptions, rank: usize) -> DeviceOptions {
         if self.is_mpi {
-            return options.place(local_rank().unwrap_or(rank));
+            return options.place(variable(&LOCAL_RANK).unwrap_or(rank));
         }
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let threads = options.threads.unwrap_or((cores / self.mine.size()).max(1));
@@ -155,11 +155,9 @@ pub fn follow_thread(
     }
 }
 
-/// The number of this process among the processes on its machine.
-fn local_rank() -> Option<usize> {
-    // Open MPI, Slurm, MPICH, Intel MPI
-    variable(&["OMPI_COMM_WORLD_LOCAL_RANK", "SLURM_LOCALID", "MPI_LOCALRANKID", "PMI_LOCAL_RANK"])
-}
+/// The number of this process among the processes on its machine: Open MPI's, Slurm's, MPICH's, Intel MPI's.
+const LOCAL_RANK: [&str; 4] =
+    ["OMPI_COMM_WORLD_LOCAL_RANK", "SLURM_LOCALID", "MPI_LOCALRANKID", "PMI_LOCAL_RANK"];
 
 /// The error of a training that found another one in its folder. Where MPI has started several processes, it names the option
 /// that joins them.

@@ -103,7 +103,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
 
     let renderer = &args.device.open(console)?;
-    let scene = &shown.upload(&scenes, &args.scene_args, renderer)?;
+    let scene = &shown.upload(&scenes, args.scene_args.options(), renderer)?;
     let pictures = Pictures { renderer, scene, cameras: list, stop: None };
     let output = (&channels[..], args.levels.depth_scale);
     let cost = write_all(&pictures, views, &files, output, console)?;
@@ -199,7 +199,7 @@ fn files(
     let names = names(&cameras.list);
     let path = |view: usize, ending: &str| {
         let path = folder.file(&format!("{}.{ending}", names[view]))?;
-        output::refuse_replacing(&path, &[scene.file(), &cameras.origin], output::same)?;
+        output::refuse_replacing(&path, [scene.file(), &cameras.origin], output::same)?;
         organza_core::check_writable(&path)?;
         if cameras.is_photograph(&path) {
             let path = path.display();

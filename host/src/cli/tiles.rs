@@ -77,7 +77,7 @@ impl Args {
         inputs.extend(self.cameras.as_deref());
         inputs.extend(self.grad_tiles.as_deref());
         for output in self.output.iter().chain(&self.grad) {
-            output::check_file(output, &inputs)?;
+            output::check_file(output, inputs.iter().copied())?;
         }
         if self.output.is_some() && self.output == self.grad {
             return refuse("`--output` and `--grad` name the same file");
@@ -113,7 +113,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut gradient = None;
     let scene = source.load(console)?;
     let renderer = &args.device.open(console)?;
-    let scene = &args.scene_args.upload(renderer, &scene)?;
+    let scene = &renderer.upload_with(&scene, args.scene_args.options())?;
     if let Some(output) = output {
         let mut summary = Summary::start();
         let tiles = {

@@ -7,7 +7,7 @@ mod programs;
 mod source;
 
 use std::borrow::Borrow;
-use std::fs::{self, Metadata};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use organza::data::LLFF;
@@ -18,7 +18,7 @@ use sha2::{Digest, Sha256};
 
 use super::console::Console;
 use super::inputs::FileKind;
-use super::output::{Folder, refuse_run};
+use super::output::{Folder, make_empty, refuse_run};
 use super::signals::Signals;
 use super::{quoted, refuse};
 use colmap::Colmap;
@@ -235,9 +235,7 @@ fn done(folder: &Folder, key: &str) -> Result<Option<Done>> {
 /// The folder of unfinished steps. Steps of other inputs are an error: they may have taken hours.
 fn begin(folder: &Folder, key: &str) -> Result<PathBuf> {
     let work = folder.join(WORK);
-    let found = fs::symlink_metadata(&work);
-    let is_ours = found.as_ref().is_ok_and(Metadata::is_dir);
-    if found.is_ok() && !is_ours {
+    if fs::symlink_metadata(&work).is_ok_and(|found| !found.is_dir()) {
         return refuse(format!("{} is not a folder; remove it", work.display()));
     }
     match fs::read_to_string(work.join(KEY)) {
@@ -260,10 +258,7 @@ fn begin(folder: &Folder, key: &str) -> Result<PathBuf> {
             ));
         }
     }
-    if is_ours {
-        fs::remove_dir_all(&work).map_err(|source| Error::write(&work, source))?;
-    }
-    fs::create_dir(&work).map_err(|source| Error::write(&work, source))?;
+    make_empty(&work)?;
     write_inside(work.join(KEY), |writer| writer.write_all(key.as_bytes()))?;
     Ok(work)
 }
@@ -281,10 +276,7 @@ impl CaptureJob<'_> {
             return Ok(());
         }
         let unfinished = self.path(&format!("{name}.part"));
-        if unfinished.exists() {
-            fs::remove_dir_all(&unfinished).map_err(|source| Error::write(&unfinished, source))?;
-        }
-        fs::create_dir(&unfinished).map_err(|source| Error::write(&unfinished, source))?;
+        make_empty(&unfinished)?;
         fill(&unfinished)?;
         fs::rename(&unfinished, &path).map_err(|source| Error::write(&path, source))
     }

@@ -12,6 +12,7 @@ use sha2::{Digest, Sha256};
 use super::{Matcher, SOME};
 use crate::cli::console::Console;
 use crate::cli::inputs::FileKind;
+use crate::cli::output::name as name_of;
 use crate::cli::summary::count;
 use crate::cli::{quoted, refuse};
 
@@ -285,10 +286,6 @@ pub fn has_photographs(folder: &Path) -> bool {
     let own = Listed::of(folder).unwrap_or_default();
     let has_data = own.folders.iter().any(|folder| FileKind::from_path(folder).is_some());
     own.has_any() || (!has_data && own.below(DEPTH).has_any())
-}
-
-fn name_of(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// Whether a file's name has a photograph's ending.

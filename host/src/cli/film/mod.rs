@@ -91,8 +91,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     signals.keeps_results();
     if kind != FilmKind::Frames {
         let origin = named.iter().map(|named| named.origin.as_path());
-        let inputs: Vec<_> = origin.chain([source.named(), source.file()]).collect();
-        output::check_file(&args.output, &inputs)?;
+        output::check_file(&args.output, origin.chain([source.named(), source.file()]))?;
         if named.as_ref().is_some_and(|named| named.is_photograph(&args.output)) {
             let path = args.output.display();
             return refuse(format!("{path} would replace a photograph; choose another name"));
@@ -104,7 +103,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         FilmKind::Mp4 | FilmKind::Png => None,
     };
     let renderer = &args.device.open(console)?;
-    let scene = &shown.upload(&scenes, &args.scene_args, renderer)?;
+    let scene = &shown.upload(&scenes, args.scene_args.options(), renderer)?;
     let pictures = Pictures { renderer, scene, cameras, stop: Some(signals.stop()) };
     let mut summary = Summary::start();
     let mut not_finite = 0;

@@ -4,13 +4,12 @@ use std::path::{Path, PathBuf, is_separator};
 
 use organza::error::invalid;
 use organza::scene::{Place, Placement};
-use organza::{DeviceScene, Renderer, Result, Scene};
+use organza::{DeviceScene, Renderer, Result, Scene, UploadOptions};
 use organza_core::input::read_json;
 use serde::Deserialize;
 
 use super::SceneSource;
 use crate::cli::console::Console;
-use crate::cli::device::SceneArgs;
 use crate::cli::{refuse, title};
 
 /// A scene, others at their places, and cameras.
@@ -70,13 +69,13 @@ impl Shown {
     pub fn upload(
         &self,
         scenes: &[Scene],
-        args: &SceneArgs,
+        options: UploadOptions,
         renderer: &Renderer,
     ) -> Result<DeviceScene> {
         let [first, others @ ..] = scenes else { unreachable!("a scene") };
-        let mut scene = args.upload(renderer, first)?;
+        let mut scene = renderer.upload_with(first, options)?;
         for (other, (.., placement)) in others.iter().zip(&self.beside) {
-            scene.put(args.upload(renderer, other)?, *placement)?;
+            scene.put(renderer.upload_with(other, options)?, *placement)?;
         }
         Ok(scene)
     }

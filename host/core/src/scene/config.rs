@@ -168,16 +168,13 @@ impl SceneConfig {
     /// # Errors
     /// [`Error::BadConfig`] for the first field that is out of range.
     pub fn validate(&self) -> Result<()> {
-        if self.sh_degree > MAX_SH_DEGREE {
-            return bad_config(
-                "sh_degree",
-                format!("is {}, expected 0 to {MAX_SH_DEGREE}", self.sh_degree),
-            );
-        }
+        let at_most = |max: u32, field, value: u32| match value > max {
+            true => bad_config(field, format!("is {value}, expected 0 to {max}")),
+            false => Ok(()),
+        };
+        at_most(MAX_SH_DEGREE, "sh_degree", self.sh_degree)?;
         for (field, length) in self.vector_lengths() {
-            if length > MAX_VECTOR {
-                return bad_config(field, format!("is {length}, expected 0 to {MAX_VECTOR}"));
-            }
+            at_most(MAX_VECTOR, field, length)?;
         }
         if self.slope != 0 && self.slope != SLOPE {
             return bad_config("slope", format!("is {}, expected 0 or {SLOPE}", self.slope));
@@ -190,23 +187,15 @@ impl SceneConfig {
         self.color_mlp.check("color_mlp")?;
         self.transmittance_mlp.check("transmittance_mlp")?;
         self.check_step()?;
-        if self.occupancy > MAX_OCCUPANCY {
-            return bad_config(
-                "occupancy",
-                format!("is {}, expected 0 to {MAX_OCCUPANCY}", self.occupancy),
-            );
+        at_most(MAX_OCCUPANCY, "occupancy", self.occupancy)?;
+        let Self { blur, background, .. } = self;
+        if !(*blur >= 0.0 && fits_f32(*blur)) {
+            let reason = format!("is {blur}, expected a finite number of at least 0");
+            return bad_config("blur", reason);
         }
-        if !(self.blur >= 0.0 && fits_f32(self.blur)) {
-            return bad_config(
-                "blur",
-                format!("is {}, expected a finite number of at least 0", self.blur),
-            );
-        }
-        if !self.background.into_iter().all(fits_f32) {
-            return bad_config(
-                "background",
-                format!("is {:?}, expected three finite numbers", self.background),
-            );
+        if !background.iter().copied().all(fits_f32) {
+            let reason = format!("is {background:?}, expected three finite numbers");
+            return bad_config("background", reason);
         }
         self.check_aabb()?;
         self.placement.check()
@@ -234,20 +223,17 @@ impl SceneConfig {
     fn check_aabb(&self) -> Result<()> {
         let [lo, hi] = self.aabb;
         for (axis, (lo, hi)) in lo.into_iter().zip(hi).enumerate() {
-            let axis = ["x", "y", "z"][axis];
-            if !(fits_f32(lo) && fits_f32(hi)) {
-                return bad_config(
-                    "aabb",
-                    format!("spans {lo} to {hi} in {axis}, expected finite numbers"),
-                );
-            }
             // In f32, as the kernels see it: a thinner box would divide by zero there.
-            if !(lo < hi && ((hi - lo) as f32).is_normal()) {
-                return bad_config(
-                    "aabb",
-                    format!("spans {lo} to {hi} in {axis}, expected lo < hi on every axis"),
-                );
-            }
+            let expected = match lo < hi && ((hi - lo) as f32).is_normal() {
+                _ if !(fits_f32(lo) && fits_f32(hi)) => "finite numbers",
+                false => "lo < hi on every axis",
+                true => continue,
+            };
+            let axis = ["x", "y", "z"][axis];
+            return bad_config(
+                "aabb",
+                format!("spans {lo} to {hi} in {axis}, expected {expected}"),
+            );
         }
         Ok(())
     }
@@ -262,19 +248,16 @@ impl MlpConfig {
     fn check(&self, name: &str) -> Result<()> {
         let field = format!("{name}.hidden");
         let layers = self.hidden.len();
-        if !(1..=MAX_HIDDEN_LAYERS).contains(&layers) {
-            return bad_config(
-                field,
-                format!("has {layers} layers, expected 1 to {MAX_HIDDEN_LAYERS}"),
-            );
-        }
-        match self.hidden.iter().find(|width| !(1..=MAX_HIDDEN_WIDTH).contains(*width)) {
-            Some(width) => bad_config(
-                field,
-                format!("has a layer {width} wide, expected 1 to {MAX_HIDDEN_WIDTH}"),
-            ),
-            None => Ok(()),
-        }
+        let reason = if !(1..=MAX_HIDDEN_LAYERS).contains(&layers) {
+            format!("has {layers} layers, expected 1 to {MAX_HIDDEN_LAYERS}")
+        } else if let Some(width) =
+            self.hidden.iter().find(|width| !(1..=MAX_HIDDEN_WIDTH).contains(*width))
+        {
+            format!("has a layer {width} wide, expected 1 to {MAX_HIDDEN_WIDTH}")
+        } else {
+            return Ok(());
+        };
+        bad_config(field, reason)
     }
 }
 

@@ -209,9 +209,6 @@ impl Placement {
     }
 
     /// Reads cameras of the world, as [`Camera::load_all`] does, into the scene.
-    ///
-    /// # Errors
-    /// The same errors as [`Camera::load_all`].
     pub fn load_cameras(&self, path: impl AsRef<Path>) -> Result<Vec<Camera>> {
         Ok(Camera::load_all(path)?.iter().map(|camera| self.own_camera(camera)).collect())
     }
@@ -253,16 +250,16 @@ impl Placement {
         };
         let times = place.scale;
         if !(LARGEST.recip()..=LARGEST).contains(&times) {
-            let scale = put.scale;
-            let reason =
-                format!("`scale` is {scale:?}, which makes the scene {times:e} times as large");
-            return refuse(format!("{reason}, expected {:e} to {LARGEST:e}", LARGEST.recip()));
+            return refuse(format!(
+                "`scale` is {:?}, which makes the scene {times:e} times as large, expected {:e} to {LARGEST:e}",
+                put.scale,
+                LARGEST.recip()
+            ));
         }
         if !place.offset.iter().all(|x| x.abs() <= FARTHEST) {
-            let offset = put.offset;
-            return refuse(format!(
-                "`offset` is {offset:?}, which is too far from the first scene"
-            ));
+            let reason =
+                format!("`offset` is {:?}, which is too far from the first scene", put.offset);
+            return refuse(reason);
         }
         place.check()?;
         Ok(place)
@@ -270,30 +267,22 @@ impl Placement {
 
     pub(super) fn check(&self) -> Result<()> {
         let Self { offset, scale, up, right, meters } = self;
+        let bad = |reason| bad_config("placement", reason);
         if !offset.iter().all(|value| value.is_finite()) {
-            return bad_config(
-                "placement",
-                format!("has the offset {offset:?}, expected finite numbers"),
-            );
+            return bad(format!("has the offset {offset:?}, expected finite numbers"));
         }
-        let lengths = [Some(*scale), *meters].into_iter().flatten();
-        if let Some(length) = lengths.into_iter().find(|x| !(x.is_normal() && *x > 0.0)) {
-            return bad_config(
-                "placement",
-                format!("has a scale of {length}, expected a positive number"),
-            );
+        let mut lengths = [Some(*scale), *meters].into_iter().flatten();
+        if let Some(length) = lengths.find(|x| !(x.is_normal() && *x > 0.0)) {
+            return bad(format!("has a scale of {length}, expected a positive number"));
         }
         let rotation = self.rotation();
         let off = rotation.transpose() * rotation - DMat3::IDENTITY;
         // false for NaN
         let is_small = |x: f64| x.abs() <= ORTHONORMAL;
         if !off.to_cols_array().into_iter().all(is_small) {
-            return bad_config(
-                "placement",
-                format!(
-                    "has the axes {right:?} (right) and {up:?} (up), expected unit vectors at right angles"
-                ),
-            );
+            return bad(format!(
+                "has the axes {right:?} (right) and {up:?} (up), expected unit vectors at right angles"
+            ));
         }
         Ok(())
     }
@@ -391,8 +380,8 @@ mod tests {
 
     #[test]
     fn the_cameras_surround_the_origin_at_one_distance_and_stand_upright() {
-        let placement = Placement::of(&ring(DMat3::from_rotation_y(0.4), 30.0, DVec3::ONE), &[]);
         let world = ring(DMat3::from_rotation_y(0.4), 30.0, DVec3::ONE);
+        let placement = Placement::of(&world, &[]);
         for camera in world.iter().map(|camera| placement.own_camera(camera)) {
             assert!((DVec3::from(camera.eye()).length() - DISTANCE).abs() < 1e-6);
             // level images: the direction to the right has no part along z

@@ -141,17 +141,13 @@ impl FieldSpec<'_> {
         TensorSpec { name: format!("{}.mlp.{layer}.weight", self.name), shape, why }
     }
 
-    fn bias(&self, layer: usize, outputs: usize) -> TensorSpec {
-        let name = format!("{}.mlp.{layer}.bias", self.name);
-        TensorSpec { name, shape: vec![outputs], why: self.why[3] }
-    }
-
     /// All tensors, in the order of [`Field::tensors`](super::Field::tensors).
     fn tensors(&self) -> Vec<TensorSpec> {
         let mut specs = vec![self.table()];
         for (layer, pair) in self.widths.windows(2).enumerate() {
             specs.push(self.weight(layer, vec![pair[1], pair[0]]));
-            specs.push(self.bias(layer, pair[1]));
+            let name = format!("{}.mlp.{layer}.bias", self.name);
+            specs.push(TensorSpec { name, shape: vec![pair[1]], why: self.why[3] });
         }
         specs
     }

@@ -104,13 +104,12 @@ fn round_trip_is_exact_and_repeatable() {
 fn tensors_are_as_the_configuration_says() {
     let mut scene = Scene::load(case_path("basic")).unwrap();
     let specs = scene.config.tensors(scene.gaussians.len());
-    let sizes = |specs: &[TensorSpec]| specs.iter().map(TensorSpec::values).collect::<Vec<_>>();
-    let (found, lengths): (Vec<_>, Vec<_>) =
-        scene.tensors().into_iter().map(|(spec, data)| (spec, data.len())).unzip();
-    assert_eq!((&found, lengths), (&specs, sizes(&specs)));
-    let (found, lengths): (Vec<_>, Vec<_>) =
-        scene.tensors_mut().into_iter().map(|(spec, data)| (spec, data.len())).unzip();
-    assert_eq!((&found, lengths), (&specs, sizes(&specs)));
+    let found = |(spec, data): (TensorSpec, &[f32])| (spec, data.len());
+    let found: Vec<_> = scene.tensors().into_iter().map(found).collect();
+    let found_mut = |(spec, data): (TensorSpec, &mut [f32])| (spec, data.len());
+    let found_mut: Vec<_> = scene.tensors_mut().into_iter().map(found_mut).collect();
+    let expected: Vec<_> = specs.into_iter().map(|spec| (spec.clone(), spec.values())).collect();
+    assert_eq!((&found, &found_mut), (&expected, &expected));
 }
 
 #[test]
@@ -125,8 +124,7 @@ fn empty_vectors_may_be_absent_or_present() {
     let config = serde_json::to_string(&scene.config).unwrap();
     tensors.retain(|(spec, _)| spec.values() > 0);
     assert_eq!(tensors.len(), all - 2);
-    let metadata = [("format", file::FORMAT), ("version", file::VERSION), ("config", &*config)];
-    let bytes = tensor_file::tensors_to_bytes(&tensors, &metadata).unwrap();
+    let bytes = tensors_to_bytes(&tensors, &scene_metadata(&config)).unwrap();
     assert_eq!(load(&bytes).unwrap(), scene);
 }
 

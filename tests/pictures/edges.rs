@@ -1,11 +1,12 @@
 //! Changes of single characters in the kernels that no other test detects: `docs/correctness.md`.
 
 use glam::Vec2;
-use organza::{Renderer, Scene, Tile, TileBatch};
+use organza::{Scene, Tile, TileBatch};
 use organza_shaders::tile::reaches;
 use organza_shaders::unit_cube::Split;
-use organza_tests::cases::Case;
-use organza_tests::{cases, devices};
+use organza_tests::cases::{self, Case};
+
+use crate::snapshots::RENDERERS;
 
 /// The reference's basic case, with its Gaussians repeated.
 fn repeated(times: usize) -> (Case, Scene) {
@@ -22,8 +23,7 @@ fn scans_of_many_blocks_repeat_one_block() {
     let times = 50;
     let (case, scene) = repeated(times);
     assert!(scene.gaussians.len() > 2048);
-    for (backend, device) in devices::all() {
-        let renderer = Renderer::new(device);
+    for (backend, renderer) in RENDERERS.iter() {
         let stages = |scene: &Scene| {
             let scene = renderer.upload(scene).expect("the scene fits");
             renderer.stages(&scene, &case.cameras[0]).expect("the stages run")
@@ -39,8 +39,7 @@ fn scans_of_many_blocks_repeat_one_block() {
 fn intersections_of_many_blocks_repeat_one_block() {
     let times = 50;
     let (case, scene) = repeated(times);
-    for (backend, device) in devices::all() {
-        let renderer = Renderer::new(device);
+    for (backend, renderer) in RENDERERS.iter() {
         let report = |scene: &Scene| {
             let scene = renderer.upload(scene).expect("the scene fits");
             renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders").report
@@ -59,8 +58,7 @@ fn intersections_of_many_blocks_repeat_one_block() {
 #[test]
 fn only_degenerate_gaussians_are_counted() {
     let case = Case::load(&cases::folder().join("basic"));
-    for (backend, device) in devices::all() {
-        let renderer = Renderer::new(device);
+    for (backend, renderer) in RENDERERS.iter() {
         let degenerate = |scene: &Scene| {
             let scene = renderer.upload(scene).expect("the scene fits");
             let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
@@ -86,8 +84,7 @@ fn intersections_do_not_depend_on_the_window() {
     let case = Case::load(&cases::folder().join("basic"));
     let corner = |at: i32| [8 * (at % 8) - 8, 8 * (at / 8) - 8];
     let tiles: Vec<_> = (0..64).map(|at| Tile { camera: 0, origin: corner(at) }).collect();
-    for (backend, device) in devices::all() {
-        let renderer = Renderer::new(device);
+    for (backend, renderer) in RENDERERS.iter() {
         let scene = renderer.upload(&case.scene).expect("the scene fits");
         let intersections = |tiles: &[Tile]| {
             let batch = TileBatch { side: 8, tiles: tiles.to_vec() };

@@ -7,9 +7,9 @@ use organza::scene::{Place, Placement, read_tensors};
 use organza::{Channel, DeviceScene, Renderer, Scene};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::{assert_close, bits};
-use organza_tests::devices;
 
 use crate::eye::{EXACT, render_anew, whole};
+use crate::snapshots::RENDERERS;
 
 /// Absolute tolerance of the tiles.
 const TILES: f64 = 2e-4;
@@ -41,9 +41,8 @@ fn scenes_together_match_the_reference() {
     let case = basic();
     let expected = read_tensors(cases::folder().join("together/tiles.safetensors"));
     let expected = &expected.expect("tensors")["tiles"].data;
-    for (device, opened) in devices::all() {
-        let renderer = Renderer::new(opened);
-        let scene = together(&renderer);
+    for (device, renderer) in RENDERERS.iter() {
+        let scene = together(renderer);
         let tiles = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
         assert_close(&format!("scenes together on {device}"), &tiles.data, expected, TILES);
         assert!(renderer.record(&scene, &case.cameras, &case.tiles).is_err(), "a gradient");
@@ -75,8 +74,7 @@ fn scenes_together_match_the_reference() {
 #[test]
 fn a_scene_far_away_changes_no_bit() {
     let case = basic();
-    for (device, opened) in devices::all() {
-        let renderer = Renderer::new(opened);
+    for (device, renderer) in RENDERERS.iter() {
         let mut scene = renderer.upload(&case.scene).expect("memory");
         let alone = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
         let far = Placement { offset: [0.0, 0.0, 1e4], ..Placement::default() };
@@ -104,14 +102,13 @@ fn a_scene_in_clear_air_keeps_its_channels() {
         ..Place::default()
     };
     let place = Placement::default().place(&Placement::default(), &put).expect("a place");
-    for (device, opened) in devices::all() {
-        let renderer = Renderer::new(opened);
+    for (device, renderer) in RENDERERS.iter() {
         let [mut all, alone] =
             [&air, &case.scene].map(|scene| renderer.upload(scene).expect("memory"));
         all.put(alone.clone(), place).expect("memory");
         let camera = &case.cameras[0];
-        let together = render_anew(&renderer, &all, camera, &EXACT);
-        let apart = render_anew(&renderer, &alone, &place.own_camera(camera), &EXACT);
+        let together = render_anew(renderer, &all, camera, &EXACT);
+        let apart = render_anew(renderer, &alone, &place.own_camera(camera), &EXACT);
         assert_close(&format!("a scene in air on {device}"), &together.data, &apart.data, 1e-5);
         for channel in Channel::ALL {
             let found = &together.channels[&channel];

@@ -25,7 +25,18 @@ struct Shot<'a> {
     columns: usize,
 }
 
-impl Shot<'_> {
+impl<'a> Shot<'a> {
+    /// One tile of one camera.
+    fn new(
+        [name, description]: [&'a str; 2],
+        scene: Scene,
+        camera: Camera,
+        (side, [x, y]): (u32, [i32; 2]),
+    ) -> Self {
+        let batch = TileBatch { side, tiles: vec![tile(0, x, y)] };
+        Self { name, description, scene, cameras: vec![camera], batch, columns: 1 }
+    }
+
     /// Compares the tiles with the equations and with both snapshots, on every device. `look` gets the results of
     /// each device.
     fn check(&self, look: impl Fn(&RenderedTiles, &[Stages], Branches)) {
@@ -98,16 +109,13 @@ fn tiles_alone() {
     let head = scene.color.network.layers.last_mut().expect("a network has layers");
     head.bias.copy_from_slice(&[3.0, 0.5, -2.0]);
     scene.transmittance.network.layers[1].bias[0] = 60.0;
-    let batch = TileBatch {
-        side: 20,
-        tiles: vec![tile(0, 4, 2), tile(0, 24, 2), tile(0, 4, 22), tile(0, 24, 22)],
-    };
+    let tiles = [[4, 2], [24, 2], [4, 22], [24, 22]].map(|[x, y]| tile(0, x, y)).to_vec();
     let shot = Shot {
         name: "tiles_alone",
         description: "C alone: one color and T = 1, so that projection, tiling and falloff are left; 4 neighboring tiles",
         scene,
         cameras: vec![camera([0.4, 0.5, -3.2], [48, 44])],
-        batch,
+        batch: TileBatch { side: 20, tiles },
         columns: 2,
     };
     shot.check(|_, stages, branches| {
@@ -134,14 +142,9 @@ fn one_gaussian() {
     };
     let mut scene = recipe.scene();
     scene.gaussians.position = vec![[0.0, 0.0, 0.2]];
-    let shot = Shot {
-        name: "one_gaussian",
-        description: "A, B and C: one Gaussian, its center on the middle pixel's, seen along an axis",
-        scene: scene.clone(),
-        cameras: vec![camera([0.0, 0.0, -3.0], [23, 23])],
-        batch: TileBatch { side: 23, tiles: vec![tile(0, 0, 0)] },
-        columns: 1,
-    };
+    let text = "A, B and C: one Gaussian, its center on the middle pixel's, seen along an axis";
+    let camera = camera([0.0, 0.0, -3.0], [23, 23]);
+    let shot = Shot::new(["one_gaussian", text], scene.clone(), camera, (23, [0, 0]));
     shot.check(|found, stages, branches| {
         let stages = &stages[0];
         let opacity = 1.0 / (1.0 + (-f64::from(scene.gaussians.opacity[0])).exp());
@@ -159,14 +162,9 @@ fn one_gaussian() {
 #[test]
 fn empty_tile() {
     let scene = Recipe { seed: 81, ..Recipe::default() }.scene();
-    let shot = Shot {
-        name: "empty_tile",
-        description: "C: no Gaussian reaches the tile, which is background to the bit",
-        scene: scene.clone(),
-        cameras: vec![camera([0.0, 0.4, -3.4], [48, 40])],
-        batch: TileBatch { side: 8, tiles: vec![tile(0, 900, -700)] },
-        columns: 1,
-    };
+    let text = "C: no Gaussian reaches the tile, which is background to the bit";
+    let camera = camera([0.0, 0.4, -3.4], [48, 40]);
+    let shot = Shot::new(["empty_tile", text], scene.clone(), camera, (8, [900, -700]));
     shot.check(|found, _, branches| {
         assert!(is_background(found, 0, &scene));
         assert_eq!((found.report.intersections, branches.empty), (0, 64));
@@ -183,15 +181,9 @@ fn crowded_tile() {
         opacity: [1.0, 4.0],
         ..Recipe::default()
     };
-    let scene = recipe.scene();
-    let shot = Shot {
-        name: "crowded_tile_divided",
-        description: "A, B and C: 300 Gaussians in one tile, Eq. 13 divides everywhere (S > 1)",
-        scene: scene.clone(),
-        cameras: vec![camera([0.5, 0.4, -3.4], [48, 48])],
-        batch: TileBatch { side: 24, tiles: vec![tile(0, 13, 13)] },
-        columns: 1,
-    };
+    let text = "A, B and C: 300 Gaussians in one tile, Eq. 13 divides everywhere (S > 1)";
+    let camera = camera([0.5, 0.4, -3.4], [48, 48]);
+    let shot = Shot::new(["crowded_tile_divided", text], recipe.scene(), camera, (24, [13, 13]));
     shot.check(|found, stages, branches| {
         assert_eq!(branches, Branches { divided: 24 * 24, ..Branches::default() });
         // a weighted mean of the colors, without any background
@@ -215,14 +207,12 @@ fn sheer_tile() {
         opacity: [-1.2, -0.2],
         ..Recipe::default()
     };
-    let shot = Shot {
-        name: "sheer_tile_over_background",
-        description: "A, B and C: 24 sheer Gaussians, the background shows everywhere (S < 1)",
-        scene: recipe.scene(),
-        cameras: vec![camera([-0.6, 0.3, -3.3], [48, 48])],
-        batch: TileBatch { side: 24, tiles: vec![tile(0, 12, 12)] },
-        columns: 1,
-    };
+    let names = [
+        "sheer_tile_over_background",
+        "A, B and C: 24 sheer Gaussians, the background shows everywhere (S < 1)",
+    ];
+    let camera = camera([-0.6, 0.3, -3.3], [48, 48]);
+    let shot = Shot::new(names, recipe.scene(), camera, (24, [12, 12]));
     shot.check(|_, _, branches| {
         assert!(branches.divided == 0 && branches.mixed > 300, "{branches:?}");
     });
@@ -243,14 +233,9 @@ fn both() -> Scene {
 
 #[test]
 fn both_branches() {
-    let shot = Shot {
-        name: "both_branches",
-        description: "A, B and C: S > 1 in the middle, S < 1 toward the edges of what is seen",
-        scene: both(),
-        cameras: vec![camera([0.2, 0.9, -3.6], [36, 36])],
-        batch: TileBatch { side: 36, tiles: vec![tile(0, 0, 0)] },
-        columns: 1,
-    };
+    let text = "A, B and C: S > 1 in the middle, S < 1 toward the edges of what is seen";
+    let camera = camera([0.2, 0.9, -3.6], [36, 36]);
+    let shot = Shot::new(["both_branches", text], both(), camera, (36, [0, 0]));
     shot.check(|_, _, branches| {
         assert!(
             branches.divided > 100 && branches.mixed > 100 && branches.empty > 0,
@@ -265,49 +250,40 @@ fn tiles_over_the_border() {
         [[-9, -7], [12, -8], [33, -6], [-8, 10], [12, 9], [32, 11], [-7, 24], [13, 26], [31, 25]];
     let mut tiles: Vec<Tile> = origins.iter().map(|&[x, y]| tile(0, x, y)).collect();
     tiles.push(tile(0, -300, 5));
-    let scene = both();
     let shot = Shot {
         name: "tiles_over_the_border",
         description: "C: tiles over every border of a 40 x 32 image, rendered all the same; the last lies far outside",
-        scene: scene.clone(),
+        scene: both(),
         cameras: vec![camera([0.1, 0.0, -2.2], [40, 32])],
         batch: TileBatch { side: 12, tiles },
         columns: 3,
     };
     shot.check(|found, _, _| {
-        assert!(is_background(found, 9, &scene), "nothing is out there");
-        let touched = (0..9).filter(|&tile| !is_background(found, tile, &scene)).count();
+        assert!(is_background(found, 9, &shot.scene), "nothing is out there");
+        let touched = (0..9).filter(|&tile| !is_background(found, tile, &shot.scene)).count();
         assert!(touched >= 7, "Gaussians reach over the border: {touched}");
     });
 }
 
 #[test]
 fn three_cameras_in_a_batch() {
-    let scene = both();
     let eyes = [[0.2, 0.9, -3.6], [3.6, 0.4, 0.5], [-2.0, 2.6, -1.8]];
-    let cameras = eyes.map(|eye| camera(eye, [32, 32])).to_vec();
-    let tiles = vec![
-        tile(2, 4, 6),
-        tile(0, 16, 8),
-        tile(1, 4, 6),
-        tile(0, 4, 8),
-        tile(2, 16, 6),
-        tile(1, 16, 6),
-    ];
+    let tiles = [(2, 4, 6), (0, 16, 8), (1, 4, 6), (0, 4, 8), (2, 16, 6), (1, 16, 6)];
+    let tiles = tiles.map(|(camera, x, y)| tile(camera, x, y));
     let shot = Shot {
         name: "three_cameras",
         description: "C: three cameras in one batch, their tiles in no order: 2, 0, 1 / 0, 2, 1",
-        scene: scene.clone(),
-        cameras: cameras.clone(),
-        batch: TileBatch { side: 12, tiles: tiles.clone() },
+        scene: both(),
+        cameras: eyes.map(|eye| camera(eye, [32, 32])).to_vec(),
+        batch: TileBatch { side: 12, tiles: tiles.to_vec() },
         columns: 3,
     };
     shot.check(|found, _, _| {
         let (_, renderer) = &RENDERERS[0];
-        let uploaded = renderer.upload(&scene).expect("the scene fits");
-        for (index, &tile) in tiles.iter().enumerate() {
+        let uploaded = renderer.upload(&shot.scene).expect("the scene fits");
+        for (index, tile) in tiles.into_iter().enumerate() {
             let alone = TileBatch { side: 12, tiles: vec![tile] };
-            let alone = renderer.render(&uploaded, &cameras, &alone).expect("it renders");
+            let alone = renderer.render(&uploaded, &shot.cameras, &alone).expect("it renders");
             let values = &found.data[index * 432..][..432];
             let apart = values.iter().zip(&alone.data).map(|(a, b)| (a - b).abs());
             assert!(apart.fold(0.0, f32::max) < 1e-4, "tile {index} is another one alone");
@@ -317,15 +293,13 @@ fn three_cameras_in_a_batch() {
 
 #[test]
 fn sides_of_tiles() {
-    let scene = both();
-    let cameras = vec![camera([0.2, 0.9, -3.6], [33, 33])];
     for (side, columns) in [(5, 7), (9, 4), (33, 1)] {
         let name = format!("tiles_of_side_{side:02}");
         let shot = Shot {
             name: &name,
             description: "C: one image of 33 x 33, cut into tiles of another side",
-            scene: scene.clone(),
-            cameras: cameras.clone(),
+            scene: both(),
+            cameras: vec![camera([0.2, 0.9, -3.6], [33, 33])],
             batch: TileBatch::cover(0, 33, 33, side).expect("a batch"),
             columns,
         };
@@ -338,25 +312,16 @@ fn sides_of_tiles() {
 #[test]
 fn camera_inside_the_cube() {
     let recipe = Recipe { seed: 121, gaussians: 70, log_scale: [-2.8, -1.8], ..Recipe::default() };
-    let scene = recipe.scene();
-    let cameras = vec![camera_to([0.2, 0.1, -0.3], [-0.4, 0.0, 1.2], [28, 28])];
-    let batch = TileBatch { side: 28, tiles: vec![tile(0, 0, 0)] };
-    let shot = Shot {
-        name: "camera_inside_the_cube",
-        description: "A, B and C: Gaussians around the camera; those behind it change nothing",
-        scene: scene.clone(),
-        cameras: cameras.clone(),
-        batch: batch.clone(),
-        columns: 1,
-    };
+    let text = "A, B and C: Gaussians around the camera; those behind it change nothing";
+    let camera = camera_to([0.2, 0.1, -0.3], [-0.4, 0.0, 1.2], [28, 28]);
+    let shot = Shot::new(["camera_inside_the_cube", text], recipe.scene(), camera, (28, [0, 0]));
     shot.check(|found, stages, branches| {
         let ahead: Vec<usize> = (0..70).filter(|&i| stages[0].radius[i] >= 0.0).collect();
         assert!((20..60).contains(&ahead.len()) && branches.mixed > 0, "{} ahead", ahead.len());
-        for (_, renderer) in RENDERERS.iter().take(1) {
-            let kept = renderer.upload(&keep(&scene, &ahead)).expect("the scene fits");
-            let without = renderer.render(&kept, &cameras, &batch).expect("it renders");
-            let apart = found.data.iter().zip(&without.data).map(|(a, b)| (a - b).abs());
-            assert!(apart.fold(0.0, f32::max) < 1e-4, "what lies behind shows");
-        }
+        let (_, renderer) = &RENDERERS[0];
+        let kept = renderer.upload(&keep(&shot.scene, &ahead)).expect("the scene fits");
+        let without = renderer.render(&kept, &shot.cameras, &shot.batch).expect("it renders");
+        let apart = found.data.iter().zip(&without.data).map(|(a, b)| (a - b).abs());
+        assert!(apart.fold(0.0, f32::max) < 1e-4, "what lies behind shows");
     });
 }

@@ -1,7 +1,5 @@
 //! The page in a browser, used like a person would.
 
-use std::fs;
-
 use glam::{DQuat, DVec3};
 use image::RgbImage;
 use organza::scene::Place;
@@ -10,7 +8,7 @@ use serde_json::{Value, json};
 use super::chromium::{Page, base64, program};
 use super::client::{VIEW, Viewer, pixels};
 use crate::sandbox::Sandbox;
-use crate::train::runs::{TINY, sandbox};
+use crate::train::runs::{TINY, photographs, sandbox};
 
 const REST: &str = "document.documentElement.dataset.quality === 'exact' && !organza.frames.busy \
     && !organza.frames.wanted";
@@ -25,28 +23,26 @@ const FAR: &str = "!document.getElementById('far').hidden";
 
 /// The center of the canvas on the screen.
 fn middle(page: &mut Page) -> [f64; 2] {
-    let middle = page.eval(
+    page.value(
         "(() => { const box = document.getElementById('overlay').getBoundingClientRect(); \
          return [box.left + box.width / 2, box.top + box.height / 2]; })()",
-    );
-    serde_json::from_value(middle).expect("a place")
+    )
 }
 
 /// Where a handle of a tool is on the screen.
 fn handle_of(page: &mut Page, tool: &str, index: usize) -> [f64; 2] {
-    let place = page.eval(&format!(
+    page.value(&format!(
         "(async () => {{ const {{ project }} = await import('./camera.js'); \
          const {{ place }} = organza.{tool}.handles()[{index}]; const {{ camera }} = organza.view; \
          const [x, y] = project(camera, place); \
          const box = document.getElementById('overlay').getBoundingClientRect(); \
          return [box.left + x / camera.w * box.width, box.top + y / camera.h * box.height]; }})()"
-    ));
-    serde_json::from_value(place).expect("a place")
+    ))
 }
 
 /// The displayed image.
 fn shown(page: &mut Page) -> RgbImage {
-    pixels(&base64(page.eval(SHOWN).as_str().expect("bytes")))
+    pixels(&base64(&page.value::<String>(SHOWN)))
 }
 
 /// The camera of the displayed image.
@@ -59,15 +55,14 @@ fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value, scenes: &str) ->
     let file = viewer.post("/cameras.json", &json!([camera])).ok();
     sandbox.write("shown.json", file.body);
     sandbox.run(&format!("render {scenes} shown.json -o shown --backend cpu")).assert_ok();
-    pixels(&fs::read(sandbox.path("shown/0000.png")).expect("an image"))
+    pixels(&sandbox.read("shown/0000.png"))
 }
 
 #[test]
 fn a_scene_in_a_browser() {
     let Some(program) = program() else { return };
     let sandbox = Sandbox::new("basic");
-    sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
-    sandbox.copy_file("cameras.json", "data/transforms.json");
+    photographs(&sandbox);
     let viewer = Viewer::start(
         &sandbox,
         "view scene.safetensors data/transforms.json --port 0 --backend cpu",
@@ -87,12 +82,11 @@ fn a_scene_in_a_browser() {
     assert!(moved["camera_to_world"] != first["camera_to_world"] && after != before);
     assert_eq!(moved["fl_x"], first["fl_x"]);
     assert!(after == rendered(&sandbox, &viewer, &moved, ALONE), "after a drag");
-    let far = |page: &mut Page| {
-        let far = page.eval(
+    let far = |page: &mut Page| -> f64 {
+        page.value(
             "organza.view.camera.camera_to_world.slice(0, 3).reduce(\
              (sum, row, at) => sum + (row[3] - organza.view.center[at]) ** 2, 0) ** 0.5",
-        );
-        far.as_f64().expect("a number")
+        )
     };
     let farther = far(&mut page);
     page.mouse("mouseWheel", [x, y]);
@@ -128,8 +122,8 @@ fn assert_explains(page: &mut Page, at: [f64; 2], viewer: &Viewer, sandbox: &San
     assert_eq!(answer["color"], expected["color"]);
     assert_eq!(answer["alpha_sum"], expected["alpha_sum"]);
     let count = expected["gaussians"].as_array().unwrap().len();
-    let rows = page.eval("document.querySelectorAll('#rows tr').length").as_u64().unwrap();
-    assert!(count > 0 && rows as usize == count.min(61), "{rows} of {count}");
+    let rows: usize = page.value("document.querySelectorAll('#rows tr').length");
+    assert!(count > 0 && rows == count.min(61), "{rows} of {count}");
 
     let bar = "document.querySelector('#rows .share').getBoundingClientRect()";
     assert_eq!(page.eval(&format!("{bar}.height")), 9);
@@ -143,16 +137,14 @@ fn assert_reads_depth(page: &mut Page, [x, y]: [f64; 2]) {
     page.wait(REST);
     page.mouse("mouseMoved", [x + 1.0, y]);
     page.wait("organza.view.depth");
-    let depth = page.eval("organza.view.depth").as_f64().unwrap();
-    let range = page.eval("organza.view.shown.about.range");
-    let range: [f64; 2] = serde_json::from_value(range).expect("a scale");
+    let depth: f64 = page.value("organza.view.depth");
+    let range: [f64; 2] = page.value("organza.view.shown.about.range");
     assert!(range[0] < depth && depth < range[1], "{depth} in {range:?}");
     page.screenshot("viewer-depth");
     page.key("5");
     page.wait(REST);
-    assert!(
-        page.eval("document.getElementById('scale').innerText").as_str().unwrap().contains("red")
-    );
+    let scale: String = page.value("document.getElementById('scale').innerText");
+    assert!(scale.contains("red"), "{scale}");
     page.key("1");
     page.wait(REST);
 }
@@ -168,11 +160,11 @@ fn assert_keeps_keyframes(page: &mut Page, [x, y]: [f64; 2], sandbox: &Sandbox) 
     let save = "(async () => { let saved; const make = URL.createObjectURL; URL.createObjectURL = \
         (blob) => { saved = blob; return make(blob); }; await organza.keyframes.save(); \
         URL.createObjectURL = make; return saved.text(); })()";
-    let saved = page.eval(save);
-    sandbox.write("keyframes.json", saved.as_str().expect("a file"));
+    let saved: String = page.value(save);
+    sandbox.write("keyframes.json", &saved);
     sandbox.run("info keyframes.json").assert_ok();
     page.eval("organza.keyframes.list = []; organza.keyframes.changed()");
-    page.eval(&format!("organza.keyframes.load({saved})"));
+    page.eval(&format!("organza.keyframes.load({})", json!(saved)));
     assert_eq!(page.eval("organza.keyframes.list.map((one) => one.camera)"), keyframes);
 }
 
@@ -181,7 +173,7 @@ fn assert_compares(page: &mut Page, viewer: &Viewer) -> (usize, Value) {
     page.eval("document.getElementById('compare').click()");
     page.wait(REST);
     page.wait("document.getElementById('photograph').complete");
-    let index = page.eval("organza.view.index").as_u64().expect("a view") as usize;
+    let index: usize = page.value("organza.view.index");
     let view = viewer.scene()["views"][index]["camera"].clone();
     // JavaScript writes 0 where Rust writes 0.0
     assert_eq!(camera(page), page.eval(&format!("({view})")));
@@ -222,8 +214,7 @@ fn a_training_in_a_browser() {
     page.wait(&format!("organza.view.shown.about.version > {version}"));
     page.wait("document.getElementById('quality').textContent === 'live'");
     page.wait("organza.training.state.curve.step.length > 200");
-    let psnr: Vec<Option<f64>> =
-        serde_json::from_value(page.eval("organza.training.state.curve.psnr")).expect("numbers");
+    let psnr: Vec<Option<f64>> = page.value("organza.training.state.curve.psnr");
     let mean = |values: &[Option<f64>]| -> f64 {
         values.iter().flatten().sum::<f64>() / values.len() as f64
     };
@@ -250,18 +241,18 @@ fn a_scene_is_moved_in_a_browser() {
     let viewer = Viewer::start(&sandbox, &words);
     let mut page = Page::open(program, &viewer.url(), [700, 640]);
     page.wait("organza.places.scenes.length === 1");
-    let said = |page: &mut Page| page.eval("document.getElementById('place-words').value");
+    let said =
+        |page: &mut Page| -> String { page.value("document.getElementById('place-words').value") };
     let place = |page: &mut Page| -> Place {
         page.eval("organza.places.asked");
-        serde_json::from_str(said(page).as_str().expect("text")).expect("a place")
+        serde_json::from_str(&said(page)).expect("a place")
     };
     page.eval("{ const box = document.getElementById('scene'); box.value = 1; box.onchange(); }");
     page.wait(REST);
     let pose = camera(&mut page);
     let first = place(&mut page);
     let ball = "organza.places.scene.center.concat(organza.places.scene.radius)";
-    let ball =
-        |page: &mut Page| -> [f64; 4] { serde_json::from_value(page.eval(ball)).expect("a ball") };
+    let ball = |page: &mut Page| -> [f64; 4] { page.value(ball) };
     let mut before = first;
     let mut at = ball(&mut page);
     for (handle, by) in [(0, [40.0, 12.0]), (1, [5.0, -30.0]), (2, [50.0, 0.0]), (3, [20.0, 0.0])] {
@@ -284,15 +275,14 @@ fn a_scene_is_moved_in_a_browser() {
     page.wait(REST);
     page.screenshot("viewer-places");
     let moved = shown(&mut page);
-    sandbox.write("b.json", said(&mut page).as_str().expect("text"));
+    sandbox.write("b.json", said(&mut page));
     assert!(moved == rendered(&sandbox, &viewer, &pose, both), "another place was saved");
 
     // a turn is composed as in the program
     let up = DVec3::Z;
-    let turned = page.eval(
+    let turned: [f64; 3] = page.value(
         "import('./places.js').then(({ followed }) => followed([30, 0, 40], [0, 0, 1], 0.5))",
     );
-    let turned: [f64; 3] = serde_json::from_value(turned).expect("a turn");
     let quaternion =
         |turn: [f64; 3]| DQuat::from_scaled_axis(DVec3::from(turn.map(f64::to_radians)));
     let expected = DQuat::from_axis_angle(up, 0.5) * quaternion([30.0, 0.0, 40.0]);
@@ -340,7 +330,7 @@ fn a_scene_is_edited_in_a_browser() {
     page.drag([middle[0] - 40.0, middle[1]], [middle[0] + 40.0, middle[1]]);
     page.wait("organza.edit.answer.selected > 0");
     page.screenshot("viewer-brush");
-    let selected = page.eval("organza.edit.answer.selected").as_u64().expect("a number");
+    let selected: u64 = page.value("organza.edit.answer.selected");
     page.eval("document.getElementById('remove-selected').click(); organza.edit.asked");
     page.wait(&format!("organza.edit.answer.left === {}", all - selected));
     page.wait(REST);
@@ -369,7 +359,7 @@ fn a_scene_is_edited_in_a_browser() {
 
 /// The number of Gaussians that are left.
 fn left(page: &mut Page) -> u64 {
-    page.eval("organza.edit.answer.left").as_u64().expect("a number")
+    page.value("organza.edit.answer.left")
 }
 
 fn undo(page: &mut Page) {
@@ -380,7 +370,7 @@ fn undo(page: &mut Page) {
 /// Draws the box smaller with its handle, and removes the rest. Returns the number of Gaussians in the box.
 fn crop(page: &mut Page, middle: [f64; 2], sandbox: &Sandbox, all: u64) -> u64 {
     page.key("b");
-    let high = |page: &mut Page| page.eval("organza.edit.box[1][0]").as_f64().expect("a number");
+    let high = |page: &mut Page| -> f64 { page.value("organza.edit.box[1][0]") };
     let before = high(page);
     let pose = camera(page);
     let from = handle_of(page, "edit", 1);
@@ -392,7 +382,7 @@ fn crop(page: &mut Page, middle: [f64; 2], sandbox: &Sandbox, all: u64) -> u64 {
     page.eval("document.getElementById('remove-outside').click(); organza.edit.asked");
     page.wait(&format!("organza.edit.answer.left < {all}"));
     page.wait(REST);
-    let bounds: [[f32; 3]; 2] = serde_json::from_value(page.eval("organza.edit.box")).unwrap();
+    let bounds: [[f32; 3]; 2] = page.value("organza.edit.box");
     let scene = organza::Scene::load(sandbox.path("scene.safetensors")).unwrap();
     let is_inside = |p: &&[f32; 3]| (0..3).all(|i| bounds[0][i] <= p[i] && p[i] <= bounds[1][i]);
     scene.gaussians.position.iter().filter(is_inside).count() as u64
@@ -408,10 +398,9 @@ fn assert_cleans(page: &mut Page, (all, whole): (u64, &RgbImage)) {
         page.wait(REST);
     };
     slide(page, 0.5);
-    let hidden = page.eval("organza.edit.answer.clean.hidden").as_u64().expect("a number");
+    let hidden: u64 = page.value("organza.edit.answer.clean.hidden");
     assert!(hidden > 0 && left(page) == all - hidden && shown(page) != *whole);
-    let said = page.eval("document.getElementById('clean-said').textContent");
-    let said = said.as_str().expect("text");
+    let said: String = page.value("document.getElementById('clean-said').textContent");
     assert!(
         said.starts_with(&format!("{hidden} hidden, ")) && said.ends_with("--clean 0.5"),
         "{said}"
@@ -437,12 +426,11 @@ fn assert_knows_the_world(page: &mut Page) {
         right: [0.0, 1.0, 0.0],
         meters: None,
     };
-    let world = page.eval(&format!(
+    let world: [f64; 3] = page.value(&format!(
         "(async () => {{ const {{ toWorld }} = await import('./camera.js'); \
          return toWorld({}, [1.5, -2.0, 0.5]); }})()",
         serde_json::to_value(placement).unwrap()
     ));
-    let world: [f64; 3] = serde_json::from_value(world).expect("a place");
     for (shown, expected) in world.into_iter().zip(placement.world([1.5, -2.0, 0.5])) {
         assert!((shown - expected).abs() < 1e-9, "{shown} {expected}");
     }
@@ -458,12 +446,11 @@ fn measure(page: &mut Page, middle: [f64; 2], viewer: &Viewer) -> f64 {
         } else {
             "organza.measure.distance"
         });
-        let pixel = page.eval(&format!(
+        page.value::<f64>(&format!(
             "(() => {{ const box = document.getElementById('overlay').getBoundingClientRect(); \
              return organza.view.camera.w * ({} - box.left) / box.width; }})()",
             middle[0] + across
-        ));
-        pixel.as_f64().expect("a column")
+        ))
     });
     let camera = camera(page);
     let ends = clicked.map(|column| {
@@ -477,7 +464,7 @@ fn measure(page: &mut Page, middle: [f64; 2], viewer: &Viewer) -> f64 {
         [beside(column, "fl_x", "cx"), beside(row, "fl_y", "cy"), depth]
     });
     let expected = (0..3).map(|i| (ends[0][i] - ends[1][i]).powi(2)).sum::<f64>().sqrt();
-    let distance = page.eval("organza.measure.distance").as_f64().expect("a distance");
+    let distance: f64 = page.value("organza.measure.distance");
     assert!((distance / expected - 1.0).abs() < 1e-6, "{distance} {expected}");
     expected
 }

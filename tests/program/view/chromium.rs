@@ -8,6 +8,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use base64::Engine;
+use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -138,6 +139,12 @@ impl Page {
         let result = self.call("Runtime.evaluate", params);
         assert!(result["exceptionDetails"].is_null(), "{expression}: {result}");
         result["result"]["value"].clone()
+    }
+
+    /// The value of an expression, of a type.
+    #[track_caller]
+    pub fn value<T: DeserializeOwned>(&mut self, expression: &str) -> T {
+        serde_json::from_value(self.eval(expression)).expect(expression)
     }
 
     /// Waits until an expression is true.

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::client::{Viewer, pixels};
 use crate::sandbox::Sandbox;
+use crate::train::runs::photographs;
 
 // even with `--quiet`, the user needs the page's address
 const VIEW: &str = "view scene.safetensors cameras.json --port 0 --backend cpu --quiet";
@@ -43,16 +44,10 @@ fn images_at_rest_are_the_bytes_of_render() {
     }
 }
 
-/// Compares numbers of the page with the command's.
+/// Compares numbers of the page with the command's. Rays of the second case are not straight.
 #[test]
 fn a_pixel_is_explained_with_the_numbers_of_explain() {
-    assert_explained("basic");
-}
-
-/// A case in which rays are not straight.
-#[test]
-fn a_pixel_of_a_contracted_scene_is_explained() {
-    assert_explained("contracted");
+    ["basic", "contracted"].into_iter().for_each(assert_explained);
 }
 
 /// The equations of docs/pipeline.md that map a place of the world to the unit cube.
@@ -121,8 +116,7 @@ fn assert_explained(case: &str) {
 #[test]
 fn every_mode_has_an_image_and_errors_need_a_photograph() {
     let sandbox = Sandbox::new("tiny");
-    sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
-    sandbox.copy_file("cameras.json", "data/transforms.json");
+    photographs(&sandbox);
     let viewer = Viewer::start(&sandbox, "view scene.safetensors data --port 0 --backend cpu");
     let scene = viewer.scene();
     let camera = &scene["views"][1]["camera"];
@@ -135,7 +129,7 @@ fn every_mode_has_an_image_and_errors_need_a_photograph() {
     assert_eq!(refused.status, 422);
     let error = viewer.frame(camera, "exact", &json!({"mode": "error", "view": 1})).ok();
     // the photograph is a rendering, so there is no error, and only one color
-    let decoded = image::load_from_memory(&error.body).expect("an image").to_rgb8();
+    let decoded = pixels(&error.body);
     let first = decoded.pixels().next().expect("a pixel");
     assert!(decoded.pixels().all(|pixel| pixel == first), "an error of a rendering");
     let other = viewer.frame(camera, "exact", &json!({"mode": "error", "view": 0})).ok();

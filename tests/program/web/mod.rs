@@ -123,9 +123,8 @@ struct Place {
 
 impl Place {
     fn measure(page: &mut Page) -> Self {
-        let found = page.eval("[organza.camera.camera_to_world, organza.center]");
         let (pose, center): (Vec<[f64; 4]>, [f64; 3]) =
-            serde_json::from_value(found).expect("a pose and a place");
+            page.value("[organza.camera.camera_to_world, organza.center]");
         let column = |at: usize| DVec3::new(pose[0][at], pose[1][at], pose[2][at]);
         Self { eye: column(3), forward: -column(2), center: center.into() }
     }
@@ -218,9 +217,7 @@ fn assert_turns(page: &mut Page, url: &str) {
 fn assert_knows_cameras(page: &mut Page, cameras: &[Camera]) {
     page.letter("keyDown", 'r');
     let at = |page: &mut Page| {
-        let pose: [[f64; 4]; 4] =
-            serde_json::from_value(page.eval("organza.camera.camera_to_world")).expect("a pose");
-        let eye = DVec3::new(pose[0][3], pose[1][3], pose[2][3]);
+        let Place { eye, .. } = Place::measure(page);
         cameras.iter().position(|camera| eye.distance(camera.eye().into()) < 1e-5)
     };
     let is_far = "!document.getElementById('far').hidden";
@@ -234,7 +231,7 @@ fn assert_knows_cameras(page: &mut Page, cameras: &[Camera]) {
     page.wait(AT_REST);
     page.wait(is_far);
     // about twice as far from the center is 1 / 0.35 times as far as 20 degrees, where (4 - 1 / 0.35) / 3 = 0.38 is left
-    let opacity = page.eval("+document.getElementById('view').style.opacity").as_f64().unwrap();
+    let opacity: f64 = page.value("+document.getElementById('view').style.opacity");
     assert!((opacity - 0.38).abs() < 0.01, "{opacity}");
     assert_eq!(page.eval("document.getElementById('status').hidden"), json!(false));
     page.letter("keyDown", 'n');
@@ -330,14 +327,13 @@ fn without_webgpu_a_page_says_so() {
     let sandbox = Sandbox::new("tiny");
     sandbox.run("export-web scene.safetensors -o page.html --single-file --title Mine").assert_ok();
     let mut page = Page::open(program, &url(&sandbox.path("page.html")), WINDOW);
-    let message = page.eval("document.getElementById('message').textContent");
-    let message = message.as_str().expect("a message");
+    let message: String = page.value("document.getElementById('message').textContent");
     assert!(message.contains("WebGPU") && message.contains("browser"), "{message}");
     assert_eq!(page.eval("document.getElementById('title').textContent"), "Mine");
     // a browser can show the poster
     let poster = "(async () => { const image = new Image(); image.src = getComputedStyle(document.getElementById('poster'))\
         .getPropertyValue('--picture').slice(4, -1); await image.decode(); return image.naturalWidth; })()";
-    assert!(page.eval(poster).as_u64() > Some(100));
+    assert!(page.value::<u32>(poster) > 100);
     for (name, size) in [("wide", [1280, 720]), ("narrow", [390, 844])] {
         page.resize(size);
         page.screenshot(&format!("web-poster-{name}"));
@@ -352,8 +348,7 @@ fn a_page_that_was_copied_in_part_says_so() {
     sandbox.run("export-web scene.safetensors -o page --size 64x48").assert_ok();
     let assert_says = |file: &str| {
         let mut page = Page::open(program, &url(&sandbox.path("page/index.html")), WINDOW);
-        let message = page.eval("document.getElementById('message').innerText");
-        let message = message.as_str().expect("a message");
+        let message: String = page.value("document.getElementById('message').innerText");
         assert!(message.contains(file) && message.contains("copy the whole folder"), "{message}");
     };
     let whole = sandbox.text("page/scene.js");

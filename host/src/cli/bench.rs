@@ -10,7 +10,7 @@ use organza::{Camera, Result, Scene, TileBatch, demo};
 
 use super::console::{Console, print, print_json};
 use super::demo::built_in;
-use super::device::{DeviceArgs, SceneArgs};
+use super::device::SceneArgs;
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::summary::{Table, count, grouped};
 use super::tiles::load_batch;
@@ -62,8 +62,6 @@ pub struct Args {
     data: DataArgs,
     #[command(flatten)]
     scene_args: SceneArgs,
-    #[command(flatten)]
-    device: DeviceArgs,
 }
 
 /// The batch to render.
@@ -111,7 +109,7 @@ impl Args {
 
     fn measure(&self, workload: Workload, console: Console) -> Result<Benchmark> {
         let Workload { scene, cameras, batch } = workload;
-        let renderer = self.device.open(console)?;
+        let renderer = self.scene_args.device.open(console)?;
         // the host's copy is dropped: rendering does not need it
         let scene = renderer.upload_with(&{ scene }, self.scene_args.options())?;
         let backward = !self.forward && !self.frame;

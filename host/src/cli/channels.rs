@@ -1,6 +1,6 @@
 //! Options that ask for channels besides color.
 
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use organza::Channel;
 use organza::image::PNG_DEPTH_SCALE;
 
@@ -8,16 +8,14 @@ use organza::image::PNG_DEPTH_SCALE;
 #[derive(Debug, clap::Args)]
 pub struct ChannelArgs {
     /// Channels to write besides the color: any of depth, alpha, visibility and normal, separated by commas
-    #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
-    channels: Vec<ChannelName>,
+    #[arg(long, value_name = "LIST", value_parser = channel(), value_delimiter = ',')]
+    channels: Vec<Channel>,
 }
 
 impl ChannelArgs {
     /// The channels, each only once.
     pub fn list(&self) -> Vec<Channel> {
-        let is_asked =
-            |channel: &Channel| self.channels.iter().any(|name| name.channel() == *channel);
-        Channel::ALL.into_iter().filter(is_asked).collect()
+        Channel::ALL.into_iter().filter(|channel| self.channels.contains(channel)).collect()
     }
 }
 
@@ -35,26 +33,15 @@ fn depth_scale(text: &str) -> Result<f32, String> {
     scale.ok_or_else(|| "expected a number above 0".to_owned())
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum ChannelName {
-    /// Mean depth of the Gaussians along the camera's axis, in world units
-    Depth,
-    /// Sum of the Gaussians' weights
-    Alpha,
-    /// Mean transmittance of the Gaussians
-    Visibility,
-    /// Mean direction of the Gaussians' shortest axes, in world space
-    Normal,
-}
-
-impl ChannelName {
-    /// The channel in the library.
-    pub fn channel(self) -> Channel {
-        match self {
-            Self::Depth => Channel::Depth,
-            Self::Alpha => Channel::Alpha,
-            Self::Visibility => Channel::Visibility,
-            Self::Normal => Channel::Normal,
-        }
-    }
+/// Parses the name of a channel.
+fn channel() -> impl TypedValueParser<Value = Channel> {
+    let help = |channel| match channel {
+        Channel::Depth => "Mean depth of the Gaussians along the camera's axis, in world units",
+        Channel::Alpha => "Sum of the Gaussians' weights",
+        Channel::Visibility => "Mean transmittance of the Gaussians",
+        Channel::Normal => "Mean direction of the Gaussians' shortest axes, in world space",
+    };
+    let names = Channel::ALL.map(|channel| PossibleValue::new(channel.name()).help(help(channel)));
+    let named = |name: String| Channel::ALL.into_iter().find(|channel| channel.name() == name);
+    PossibleValuesParser::new(names).map(move |name| named(name).expect("one of these"))
 }

@@ -11,12 +11,14 @@ use organza::{
 use super::console::Console;
 use super::refuse;
 
-/// Storage of the scene on the device.
+/// The device, and storage of the scene on it.
 #[derive(Debug, clap::Args)]
 pub struct SceneArgs {
     /// Store both hash grids in half precision: half their memory, each feature off by at most 1/2048; no gradients
     #[arg(long, help_heading = "Device", hide_short_help = true)]
     pub half_grids: bool,
+    #[command(flatten)]
+    pub device: DeviceArgs,
 }
 
 impl SceneArgs {
@@ -34,8 +36,8 @@ pub struct DeviceArgs {
 
     /// How kernels reach the GPU's driver: as SPIR-V (Vulkan only), or translated by naga
     /// [default: passthrough if the GPU supports it]
-    #[arg(long, value_enum, help_heading = "Device", hide_short_help = true)]
-    spirv: Option<Spirv>,
+    #[arg(long, value_parser = ["passthrough", "naga"], help_heading = "Device", hide_short_help = true)]
+    spirv: Option<String>,
 
     /// Use the GPU whose name contains this text
     #[arg(long, value_name = "NAME", help_heading = "Device", hide_short_help = true)]
@@ -43,8 +45,8 @@ pub struct DeviceArgs {
 
     /// Which kernels a GPU runs: `plain` ones, or the `best` it has, with workgroup memory or 64-bit atomics
     /// [default: best; plain on a software device]
-    #[arg(long, value_enum, help_heading = "Device", hide_short_help = true)]
-    variants: Option<Variants>,
+    #[arg(long, value_parser = ["plain", "best"], help_heading = "Device", hide_short_help = true)]
+    variants: Option<String>,
 
     /// Threads of the CPU backend [default: one per core]
     #[arg(long, value_name = "N", help_heading = "Device", hide_short_help = true)]
@@ -64,18 +66,6 @@ enum Backend {
     Auto,
     Gpu,
     Cpu,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Spirv {
-    Passthrough,
-    Naga,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
-enum Variants {
-    Plain,
-    Best,
 }
 
 impl DeviceArgs {
@@ -118,13 +108,13 @@ impl DeviceArgs {
             Backend::Auto if !asks_for_gpu => BackendChoice::Auto,
             Backend::Auto | Backend::Gpu => BackendChoice::Gpu,
         };
-        let spirv = self.spirv.map(|path| match path {
-            Spirv::Passthrough => SpirvPath::Passthrough,
-            Spirv::Naga => SpirvPath::Naga,
+        let spirv = self.spirv.as_ref().map(|path| match path == SpirvPath::Naga.as_str() {
+            true => SpirvPath::Naga,
+            false => SpirvPath::Passthrough,
         });
         let named = |set: &InstructionSet| Some(set.as_str()) == self.instruction_set.as_deref();
         let instruction_set = InstructionSet::ALL.into_iter().find(named);
-        let variants = self.variants.map(|variants| variants == Variants::Best);
+        let variants = self.variants.as_ref().map(|variants| variants == "best");
         let options = DeviceOptions::default().backend(backend).spirv(spirv).variants(variants);
         let options = options.threads(self.threads.map(usize::from)).adapter(self.adapter.clone());
         Ok(options.instruction_set(instruction_set))

@@ -9,7 +9,7 @@ use organza::train::config::LearnExposure;
 use organza::{DeviceScene, Evaluation, Renderer, Result};
 
 use super::console::{Console, print, print_json};
-use super::device::{DeviceArgs, SceneArgs};
+use super::device::SceneArgs;
 use super::inputs::{DataArgs, DataSet, Shown, Split};
 use super::picture::warn_not_finite;
 use super::summary::{Table, count, score};
@@ -53,8 +53,6 @@ pub struct Args {
     data_args: DataArgs,
     #[command(flatten)]
     scene_args: SceneArgs,
-    #[command(flatten)]
-    device: DeviceArgs,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
@@ -73,7 +71,7 @@ impl Args {
         let mut data = DataSet::of(source, named, &self.data_args, self.background, console)?;
         data.say_doubt(split, console);
         let data = data.only(split);
-        let renderer = self.device.open(console)?;
+        let renderer = self.scene_args.device.open(console)?;
         let dataset = data.read(&renderer, console)?;
         let frames = frames(self, &dataset, split)?;
         let scene = shown.upload(&scenes, self.scene_args.options(), &renderer)?;

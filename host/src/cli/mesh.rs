@@ -9,7 +9,7 @@ use organza::{Camera, Result};
 use organza_core::memory;
 
 use super::console::Console;
-use super::device::{DeviceArgs, SceneArgs};
+use super::device::SceneArgs;
 use super::inputs::{Cameras, DataArgs, Shown};
 use super::output::{check_file, relative_to};
 use super::summary::grouped;
@@ -52,8 +52,6 @@ pub struct Args {
     data: DataArgs,
     #[command(flatten)]
     scene_args: SceneArgs,
-    #[command(flatten)]
-    device: DeviceArgs,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
@@ -64,7 +62,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let Cameras { list: cameras, all, .. } =
         Cameras::load(source, args.cameras.as_deref(), &args.data, console)?;
     let scenes = shown.load(console)?;
-    let renderer = args.device.open(console)?;
+    let renderer = args.scene_args.device.open(console)?;
     let uploaded = shown.upload(&scenes, args.scene_args.options(), &renderer)?;
     let mut surfaces = Vec::new();
     {

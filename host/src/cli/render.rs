@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::channels::{ChannelArgs, LevelArgs};
 use super::console::{Console, print_json};
-use super::device::{DeviceArgs, SceneArgs};
+use super::device::SceneArgs;
 use super::inputs::{Cameras, DataArgs, SceneSource, Shown};
 use super::output::{self, Folder, name, refuse_others};
 use super::picture::{Picture, Pictures, sizes, warn_not_finite};
@@ -67,8 +67,6 @@ pub struct Args {
     levels: LevelArgs,
     #[command(flatten)]
     scene_args: SceneArgs,
-    #[command(flatten)]
-    device: DeviceArgs,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
@@ -102,7 +100,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         refuse_others(&folder, is_image)?;
     }
 
-    let renderer = &args.device.open(console)?;
+    let renderer = &args.scene_args.device.open(console)?;
     let scene = &shown.upload(&scenes, args.scene_args.options(), renderer)?;
     let pictures = Pictures { renderer, scene, cameras: list, stop: None };
     let output = (&channels[..], args.levels.depth_scale);
@@ -114,8 +112,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             Picture::new(view, &files[0], &list[view]).with_channels(&channels, &files[1..])
         };
         let images = views.iter().zip(&files).map(image).collect();
-        let folder = text_of(&args.output);
-        return print_json(&RenderOutput { folder, images, cost });
+        return print_json(&RenderOutput { folder: text_of(&args.output), images, cost });
     }
     Ok(())
 }

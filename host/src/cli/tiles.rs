@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::channels::ChannelArgs;
 use super::console::{Console, print_json};
-use super::device::{DeviceArgs, SceneArgs};
+use super::device::SceneArgs;
 use super::inputs::{Cameras, DataArgs, FileKind, SceneSource, told_apart};
 use super::summary::{Cost, Summary, count, grouped};
 use super::views::warn_distorted;
@@ -62,8 +62,6 @@ pub struct Args {
     channels: ChannelArgs,
     #[command(flatten)]
     scene_args: SceneArgs,
-    #[command(flatten)]
-    device: DeviceArgs,
 }
 
 impl Args {
@@ -88,8 +86,7 @@ impl Args {
         }
         // The large file is read last: most mistakes are in the small ones.
         let batch = load_batch(&self.tiles)?;
-        let named = self.cameras.as_deref();
-        let cameras = Cameras::load(source, named, &self.data, console)?.list;
+        let cameras = Cameras::load(source, self.cameras.as_deref(), &self.data, console)?.list;
         batch.validate(&cameras).map_err(|error| error.in_file(&self.tiles))?;
         let mut views: Vec<_> = batch.tiles.iter().map(|tile| tile.camera).collect();
         views.sort_unstable();
@@ -112,7 +109,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut cost = None;
     let mut gradient = None;
     let scene = source.load(console)?;
-    let renderer = &args.device.open(console)?;
+    let renderer = &args.scene_args.device.open(console)?;
     let scene = &renderer.upload_with(&scene, args.scene_args.options())?;
     if let Some(output) = output {
         let mut summary = Summary::start();

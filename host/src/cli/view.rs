@@ -13,7 +13,7 @@ use organza::view::{
 };
 
 use super::console::Console;
-use super::device::{DeviceArgs, SceneArgs};
+use super::device::SceneArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Shown};
 use super::{refuse, signals, title};
 
@@ -50,8 +50,6 @@ pub struct Args {
     data_args: DataArgs,
     #[command(flatten)]
     scene_args: SceneArgs,
-    #[command(flatten)]
-    device: DeviceArgs,
 }
 
 /// The address of the page.
@@ -126,7 +124,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let (poses, photographs, points) = surroundings(args, source, named, console)?;
     let mut scenes = shown.load(console)?;
     let server = args.server.listen(console)?;
-    let renderer = args.device.open(console)?;
+    let renderer = args.scene_args.device.open(console)?;
     let uploaded = shown.upload(&scenes, args.scene_args.options(), &renderer)?;
     let title = title(source.named());
     let has_photographs = !photographs.is_empty();

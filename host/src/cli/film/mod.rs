@@ -9,7 +9,7 @@ use organza::{Image, Result};
 use serde::Serialize;
 
 use super::console::{Console, print_json};
-use super::device::{DeviceArgs, SceneArgs};
+use super::device::SceneArgs;
 use super::inputs::{DataArgs, Shown};
 use super::output::{self, Folder, refuse_others};
 use super::picture::{Pictures, warn_not_finite};
@@ -69,8 +69,6 @@ pub struct Args {
     data: DataArgs,
     #[command(flatten)]
     scene_args: SceneArgs,
-    #[command(flatten)]
-    device: DeviceArgs,
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
@@ -102,7 +100,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         FilmKind::Frames => Some(frames_folder(args)?),
         FilmKind::Mp4 | FilmKind::Png => None,
     };
-    let renderer = &args.device.open(console)?;
+    let renderer = &args.scene_args.device.open(console)?;
     let scene = &shown.upload(&scenes, args.scene_args.options(), renderer)?;
     let pictures = Pictures { renderer, scene, cameras, stop: Some(signals.stop()) };
     let mut summary = Summary::start();

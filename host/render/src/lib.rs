@@ -1,20 +1,7 @@
 //! Renders Gaussians without sorting them: from a scene, cameras and tiles to pixels, and from dL/dY to gradients.
 //!
 //! To render, you only need this crate, and [`organza_core`] for scenes, cameras and tiles. The compiled kernels are
-//! part of it. [`organza`](https://crates.io/crates/organza) exports all of it, and trains.
-//!
-//! ```
-//! use organza_core::{TileBatch, demo};
-//! use muslin_device::DeviceOptions;
-//! use organza_render::{Renderer, open_device};
-//!
-//! let renderer = Renderer::new(open_device(&DeviceOptions::default())?);
-//! let scene = renderer.upload(&demo::scene())?;
-//! let cameras = demo::turntable(1, 32);
-//! let tiles = renderer.render(&scene, &cameras, &TileBatch::cover(0, 32, 32, 16)?)?;
-//! assert_eq!(tiles.data.len(), 4 * 3 * 16 * 16); // [K, 3, S, S]
-//! # Ok::<(), organza_core::Error>(())
-//! ```
+//! part of it. [`organza`](https://crates.io/crates/organza) exports all of it, and trains. [`Renderer`] has an example.
 
 mod gradient;
 mod loss;

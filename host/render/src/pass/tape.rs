@@ -29,6 +29,9 @@ use organza_core::{Camera, Channel, RenderedTiles, Result, TileBatch};
 /// // the loss is half the sum of squares, so dL/dY is Y
 /// let gradient = tape.backward(&tape.tiles().data)?;
 /// assert_eq!(gradient.gaussians.position.len(), scene.len());
+/// assert!(gradient.tensor("gaussians.opacity").is_some_and(|g| g.iter().any(|&g| g != 0.0)));
+/// // in one call, for dL/dY that does not depend on Y
+/// assert_eq!(renderer.gradient(&scene, &cameras, &batch, &tape.tiles().data)?, gradient);
 /// # Ok::<(), organza_core::Error>(())
 /// ```
 ///
@@ -92,25 +95,7 @@ impl Renderer {
     /// dL/dtensor for every tensor of a scene, given `grad_tiles [K, 3, S, S]`, dL/dY.
     ///
     /// The networks see positions and directions as constants: position, rotation and scale have the gradient of the
-    /// projection alone. [`Renderer::record`] gives the tiles, too.
-    ///
-    /// ```
-    /// use organza_core::{Tile, TileBatch, demo};
-    /// use muslin_device::DeviceOptions;
-    /// use organza_render::{Renderer, open_device};
-    ///
-    /// let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);
-    /// let scene = renderer.upload(&demo::scene())?;
-    /// let cameras = demo::turntable(1, 32);
-    /// let batch = TileBatch { side: 8, tiles: vec![Tile { camera: 0, origin: [12, 12] }] };
-    ///
-    /// // the loss is the sum of all values, so dL/dY is 1 everywhere
-    /// let ones = vec![1.0; batch.output_shape().iter().product()];
-    /// let gradient = renderer.gradient(&scene, &cameras, &batch, &ones)?;
-    /// assert_eq!(gradient.gaussians.position.len(), scene.len());
-    /// assert!(gradient.tensor("gaussians.opacity").is_some_and(|g| g.iter().any(|&g| g != 0.0)));
-    /// # Ok::<(), organza_core::Error>(())
-    /// ```
+    /// projection alone. [`Renderer::record`] gives the tiles, too; [`Tape`] has an example.
     ///
     /// # Errors
     /// The same errors as [`Tape::backward`](crate::Tape::backward).

@@ -11,47 +11,31 @@ use super::runs::{TINY, assert_same, assert_same_run, begun, bits, sandbox, stat
 
 type Begun = (TrainConfig, Checkpoint, Arc<Dataset>);
 
-/// A run after nine of 40 steps. It grows after the next one.
-fn begun_of_40() -> Begun {
-    let (mut config, checkpoint, dataset) = begun();
-    config.run.steps = 40;
-    let renderer = Renderer::new(devices::cpu(None));
-    let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), &checkpoint);
+/// The state after so many more steps, on one of some ranks or alone.
+fn trained(
+    (config, checkpoint, dataset): &Begun,
+    renderer: &Renderer,
+    ranks: Option<ThreadRanks>,
+    steps: u32,
+) -> Checkpoint {
+    let trainer = Trainer::resume(renderer, config.clone(), dataset.clone(), checkpoint);
     let mut trainer = trainer.expect("a trainer");
-    while trainer.steps() < 9 {
-        trainer.step().expect("a step");
+    if let Some(ranks) = ranks {
+        trainer = trainer.with_ranks(Arc::new(ranks));
     }
-    (config, trainer.checkpoint(0.0).expect("a state"), dataset)
-}
-
-/// Trains `steps` steps on each of `size` ranks. Returns the states of all.
-fn train(begun: &Begun, name: &str, size: usize, steps: u32) -> Vec<Checkpoint> {
-    let (config, checkpoint, dataset) = begun;
-    ThreadRanks::run(size, |ranks| {
-        let renderer = Renderer::new(devices::named(name));
-        let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), checkpoint);
-        let mut trainer = trainer.expect("a trainer").with_ranks(Arc::new(ranks));
-        for _ in 0..steps {
-            trainer.step().expect("a step");
-        }
-        trainer.checkpoint(0.0).expect("a state")
-    })
-}
-
-/// Trains `steps` steps without ranks, with parts of about `part_bytes` bytes.
-fn train_alone(begun: &Begun, name: &str, part_bytes: Option<u64>, steps: u32) -> Checkpoint {
-    let (config, checkpoint, dataset) = begun.clone();
-    let renderer = Renderer::new(devices::named(name));
-    let renderer = match part_bytes {
-        Some(bytes) => renderer.with_part_bytes(bytes),
-        None => renderer,
-    };
-    let trainer = Trainer::resume(&renderer, config, dataset, &checkpoint);
-    let mut trainer = trainer.expect("a trainer");
     for _ in 0..steps {
         trainer.step().expect("a step");
     }
     trainer.checkpoint(0.0).expect("a state")
+}
+
+/// A run after nine of 40 steps. It grows after the next one.
+fn begun_of_40() -> Begun {
+    let mut begun = begun();
+    begun.0.run.steps = 40;
+    begun.1 = trained(&begun, &Renderer::new(devices::cpu(None)), None, 4);
+    assert_eq!(begun.1.progress.step, 9);
+    begun
 }
 
 /// Four tiles per step are at most four units, so with more ranks, some have no work. Without ranks, they are one
@@ -60,15 +44,18 @@ fn train_alone(begun: &Begun, name: &str, part_bytes: Option<u64>, steps: u32) -
 fn any_number_of_ranks_and_parts_gives_the_same_bits_on_every_device() {
     let begun = begun_of_40();
     for (name, _) in devices::all() {
-        let alone = train_alone(&begun, name, None, 2);
+        let renderer = || Renderer::new(devices::named(name));
+        let alone = trained(&begun, &renderer(), None, 2);
         assert_eq!(alone.progress.step, 11);
         assert!(alone.scene.gaussians.len() > 200, "{name}: the scene has grown");
-        let parts = train_alone(&begun, name, Some(20_000), 2);
+        let parts = trained(&begun, &renderer().with_part_bytes(20_000), None, 2);
         assert!(state_bits(&parts) == state_bits(&alone), "{name}: in parts");
         // a software GPU is slow
         let sizes = if name == "cpu" { &[1, 2, 3, 5][..] } else { &[3] };
         for &size in sizes {
-            for (rank, state) in train(&begun, name, size, 2).iter().enumerate() {
+            let rank = |ranks| trained(&begun, &renderer(), Some(ranks), 2);
+            let states = ThreadRanks::run(size, rank);
+            for (rank, state) in states.iter().enumerate() {
                 assert!(state_bits(state) == state_bits(&alone), "{name}: rank {rank} of {size}");
             }
         }

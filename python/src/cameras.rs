@@ -57,8 +57,7 @@ impl Cameras {
             let k: numpy::ndarray::ArrayView2<'_, f64> = k;
             let pose = [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|at| pose[[row, at]]));
             let focal = [k[[0, 0]], k[[1, 1]]];
-            let principal = [k[[0, 2]], k[[1, 2]]];
-            organza::Camera::pinhole(pose, focal, principal, [width, height])
+            organza::Camera::pinhole(pose, focal, [k[[0, 2]], k[[1, 2]]], [width, height])
         };
         Self(poses.outer_iter().zip(ks.outer_iter()).map(camera).collect()).checked()
     }

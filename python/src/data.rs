@@ -145,8 +145,7 @@ impl Dataset {
                 let views = data.built_in_views;
                 let side = data.built_in_side;
                 let every = data.hold_out_every;
-                let render = move || built_in::dataset(&renderer, views, side, every);
-                job::run(py, render)?
+                job::run(py, move || built_in::dataset(&renderer, views, side, every))?
             }
             (None, None) => {
                 let reason = "the data set has no path".to_owned();

@@ -52,8 +52,7 @@ impl Renderer {
         }
         let options = DeviceOptions::default().backend(backend).threads(threads);
         let options = options.adapter(adapter).place(place);
-        let open = move || organza::open_device(&options).map(organza::Renderer::new);
-        job::run(py, open).map(Self)
+        job::run(py, move || organza::open_device(&options).map(organza::Renderer::new)).map(Self)
     }
 
     #[getter]

@@ -116,8 +116,7 @@ impl Scene {
                 return Ok(None);
             };
             let renderer = organza::Renderer::new(organza::open_device(&DeviceOptions::default())?);
-            let image = renderer.render_view(&renderer.upload(&scene)?, &cameras[0])?;
-            Ok(image.encode_png().ok())
+            Ok(renderer.render_view(&renderer.upload(&scene)?, &cameras[0])?.encode_png().ok())
         })?;
         Ok(png.map(|png| PyBytes::new(py, &png)))
     }

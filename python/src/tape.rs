@@ -39,8 +39,7 @@ impl Tape {
         &self,
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyArray4<f32>>, Bound<'py, PyDict>)> {
-        let rendered = py.detach(|| lock(&self.tape).tiles().clone());
-        into_batch(py, rendered)
+        into_batch(py, py.detach(|| lock(&self.tape).tiles().clone()))
     }
 
     /// The gradient of a loss L with respect to every tensor, by name, given `grad_tiles [K, 3, S, S]`, dL/dY. Nothing is
@@ -66,9 +65,7 @@ impl Tape {
             };
             let gradient = held.gradient.insert(gradient);
             lock(&tape).backward_into(gradient, &grad_tiles)?;
-            let config = held.scene.config();
-            let len = held.scene.len();
-            Ok(gradient.download(device, config, len)?.into_values())
+            Ok(gradient.download(device, held.scene.config(), held.scene.len())?.into_values())
         })?;
         into_arrays(py, values)
     }

@@ -153,8 +153,7 @@ impl Training {
         }
         let Some(message) = job::receive(py, &mut channel.messages)? else {
             channel.answers = None;
-            let thread = channel.thread.take().expect("it is there until the end");
-            return Err(job::panicked(thread));
+            return Err(job::panicked(channel.thread.take().expect("it is there until the end")));
         };
         let kind = match message {
             Message::Warning(text) => {
@@ -364,17 +363,14 @@ impl Run {
                 }
                 Event::Evaluated(evaluation) => {
                     let psnr = evaluation.mean.psnr;
-                    let ssim = evaluation.mean.ssim;
-                    self.send(Message::Evaluated { step: now, psnr, ssim });
+                    self.send(Message::Evaluated { step: now, psnr, ssim: evaluation.mean.ssim });
                 }
                 _ => {}
             }
             Ok(())
         };
         let mut loss: OwnLoss<'_> = Box::new(|batch| self.loss(batch));
-        let loss = self.has_loss.then_some(&mut loss);
-        let outcome = session.run_with(self.resume, &mut watch, loss)?;
-        Ok(match outcome {
+        Ok(match session.run_with(self.resume, &mut watch, self.has_loss.then_some(&mut loss))? {
             Outcome::Finished => "finished",
             Outcome::TimeLimit => "time limit",
             _ => "stopped",

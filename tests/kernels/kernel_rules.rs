@@ -142,8 +142,7 @@ fn naga_drops_no_contraction() {
         let computes = module.all_inst_iter().any(|i| ARITHMETIC.contains(&i.class.opcode));
         assert_eq!(is_decorated(&module), !kernel.fused && computes, "{}", point.name);
     }
-    let words = MODULES.find("project").unwrap().spirv_words();
-    let module = naga_module(&words).unwrap();
+    let module = naga_module(&MODULES.find("project").unwrap().spirv_words()).unwrap();
     let info = naga::valid::Validator::new(
         naga::valid::ValidationFlags::all(),
         naga::valid::Capabilities::default(),

@@ -95,8 +95,7 @@ fn a_device_names_the_kernels_it_runs() {
         assert_eq!(point.name, expected, "{name}");
     }
     // asking for variants does not ask for a GPU
-    let options = DeviceOptions::cpu(None).variants(true);
-    let cpu = organza::open_device(&options).expect("the CPU");
+    let cpu = organza::open_device(&DeviceOptions::cpu(None).variants(true)).expect("the CPU");
     assert_eq!(cpu.entry_point(kernel("composite")).name, "composite");
 }
 

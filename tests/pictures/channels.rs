@@ -313,8 +313,7 @@ fn check(what: &str, found: &Contributions, expected: &[[f64; 2]]) {
 fn corridor() -> (Scene, [Camera; 2]) {
     let mut scene = Scene::zeros(demo::config(), 3).unwrap();
     // all light passes
-    let last = scene.transmittance.network.layers.last_mut().unwrap();
-    last.bias[0] = 50.0;
+    scene.transmittance.network.layers.last_mut().unwrap().bias[0] = 50.0;
     let gaussians = &mut scene.gaussians;
     // the wall, haze near the first camera, and what lies behind the wall for the first
     gaussians.position = vec![[0.0, 0.0, 4.0], [0.0, 0.0, 1.0], [0.0, 0.0, 5.0]];

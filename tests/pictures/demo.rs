@@ -52,8 +52,7 @@ fn small_images_are_large_ones_averaged_down() {
     let (_, renderer) = RENDERERS.iter().next().expect("a CPU");
     let on_device = renderer.upload(&scene()).expect("a valid scene");
     let image = |side: u32| -> Image {
-        let camera = turntable(1, side).remove(0);
-        renderer.render_view(&on_device, &camera).expect("a picture")
+        renderer.render_view(&on_device, &turntable(1, side).remove(0)).expect("a picture")
     };
     let numbers = |image: &Image| -> Vec<[f32; 3]> {
         image.pixels().iter().map(|pixel| pixel.map(|channel| f32::from(channel) / 255.0)).collect()

@@ -30,8 +30,7 @@ fn damaged_files_are_refused_by_each_command() {
     }
     sandbox.write("scene.safetensors", whole);
     sandbox.edit_json("tiles.json", "/tiles/2/camera", json!(7));
-    let facts = ["tiles.json", "tile 2", "camera 7, but cameras are 0 to 1"];
-    sandbox.assert_refuses(tiles, &facts);
+    sandbox.assert_refuses(tiles, &["tiles.json", "tile 2", "camera 7, but cameras are 0 to 1"]);
     sandbox.write("cameras.json", "{\"frames\": [");
     for words in [tiles, render, explain, "info cameras.json"] {
         sandbox.assert_refuses(words, &["cameras.json", "line 1 column 12"]);

@@ -108,8 +108,7 @@ fn every_device_is_measured() {
 
 #[test]
 fn tables_are_for_people() {
-    let sandbox = Sandbox::new("tiny");
-    let text = sandbox.run(&format!("{BENCH} --backend cpu")).assert_ok().stdout;
+    let text = Sandbox::new("tiny").run(&format!("{BENCH} --backend cpu")).assert_ok().stdout;
     let lines: Vec<_> = text.lines().collect();
     assert!(lines[0].starts_with("cpu: "), "{text}");
     for start in ["forward and backward  ", "composite_backward  ", "forward  "] {

@@ -117,8 +117,7 @@ fn photographs_of_the_still_life_are_a_data_set() {
     let off: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     assert!(off < 4 * file.as_raw().len() as u64, "{off}");
     sandbox.assert_refuses(words, &["walk has images already", "choose another folder"]);
-    let train = "train walk -o run --steps 2 --max-gaussians 2000 --backend cpu";
-    sandbox.run(train).assert_ok();
+    sandbox.run("train walk -o run --steps 2 --max-gaussians 2000 --backend cpu").assert_ok();
 }
 
 #[test]

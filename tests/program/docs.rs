@@ -216,8 +216,7 @@ fn every_block_of_python_runs() {
     let python: Vec<_> = blocks.iter().filter(|block| block.language == "python").collect();
     assert!(!python.is_empty(), "no page has a block of Python");
     for block in python {
-        let sandbox = prepare(&block.page, &blocks);
-        run(&sandbox, &block.page, &["python3", "-c", &block.text]);
+        run(&prepare(&block.page, &blocks), &block.page, &["python3", "-c", &block.text]);
     }
 }
 

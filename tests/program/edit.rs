@@ -14,8 +14,7 @@ use crate::train::runs::{self, TINY};
 /// Runs the command. Returns its JSON, and the scene that it wrote.
 fn edit(sandbox: &Sandbox, words: &str) -> (Value, Scene) {
     let words = format!("edit {words} -o edited.safetensors --backend cpu --json");
-    let json = sandbox.run(&words).json();
-    (json, Scene::load(sandbox.path("edited.safetensors")).expect("a scene"))
+    (sandbox.run(&words).json(), Scene::load(sandbox.path("edited.safetensors")).expect("a scene"))
 }
 
 /// Adds copies of Gaussians to a scene's file, each after `change`.
@@ -164,8 +163,7 @@ fn a_run_is_edited_and_every_command_takes_the_result() {
     let (report, _) = edit(&sandbox, words);
     crate::flags::assert_documented("edit", std::slice::from_ref(&report));
     let held_out = |scene: &str| {
-        let words = format!("eval {scene} --backend cpu --json");
-        sandbox.run(&words).json()["mean"]["psnr"].clone()
+        sandbox.run(&format!("eval {scene} --backend cpu --json")).json()["mean"]["psnr"].clone()
     };
     assert_eq!(report["held_out"]["psnr_before"], held_out("run"));
     assert_eq!(report["held_out"]["psnr"], held_out("edited.safetensors views"));

@@ -68,8 +68,7 @@ fn the_split_selects_the_frames() {
 #[test]
 fn alpha_is_put_in_front_of_the_background() {
     let sandbox = sandbox();
-    let clear = image::RgbaImage::new(96, 80);
-    clear.save(sandbox.path("data/images/0000.png")).unwrap();
+    image::RgbaImage::new(96, 80).save(sandbox.path("data/images/0000.png")).unwrap();
     let psnr = |background: &str| {
         eval(&sandbox, &format!("--json {background}")).json()["mean"]["psnr"].as_f64().unwrap()
     };

@@ -43,8 +43,7 @@ fn messages_do_not_control_the_terminal_and_are_short() {
         &["explain", "scene.safetensors", "cameras.json", "--pixel", "1,1"],
         &["render", "scene.safetensors", "cameras.json", "-o", NASTY, "--backend", "cpu"],
     ] {
-        let outcome = run(words).assert_ok();
-        assert_plain(&outcome);
+        assert_plain(&run(words).assert_ok());
     }
     assert!(sandbox.path(NASTY).is_dir());
     let info = run(&["info", "cameras.json", "--json"]).json();

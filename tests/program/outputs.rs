@@ -15,8 +15,7 @@ fn sandbox() -> Sandbox {
     sandbox.rename("views", "data");
     let train = TINY.replace("views", "data");
     sandbox.run(&format!("{train} run --steps 2")).assert_ok();
-    let words = "export run -o splats.ply --steps 0 --side 16 --backend cpu";
-    sandbox.run(words).assert_ok();
+    sandbox.run("export run -o splats.ply --steps 0 --side 16 --backend cpu").assert_ok();
     sandbox.copy_file("splats.ply", "data/points.ply");
     sandbox.copy_file("data/view-000.png", "data/mask.png");
     sandbox
@@ -61,8 +60,7 @@ fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
     let mine = sandbox.path("mine.txt");
     fs::write(&mine, "mine").unwrap();
     let pipe = |name: &str| {
-        let made = Command::new("mkfifo").arg(sandbox.path(name)).status().expect("mkfifo");
-        assert!(made.success());
+        assert!(Command::new("mkfifo").arg(sandbox.path(name)).status().expect("mkfifo").success());
     };
     for folder in ["images", "frames", "pipes", "demo", "page"] {
         sandbox.make_folder(folder);
@@ -79,8 +77,7 @@ fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
         "demo -o demo --views 2 --size 16 --backend cpu",
         "export-web run -o page --backend cpu",
     ] {
-        let outcome = sandbox.shell(&format!("timeout 60 \"$ORGANZA\" {words}"));
-        outcome.assert_refused(&[]);
+        sandbox.shell(&format!("timeout 60 \"$ORGANZA\" {words}")).assert_refused(&[]);
         assert_eq!(fs::read_to_string(&mine).unwrap(), "mine", "{words}");
     }
 }

@@ -30,6 +30,5 @@ fn every_gpu_has_a_table() {
 
 #[test]
 fn missing_gpus_are_refused() {
-    let sandbox = Sandbox::new("tiny");
-    sandbox.assert_refuses("parity --adapter no-such-gpu", &["no usable GPU"]);
+    Sandbox::new("tiny").assert_refuses("parity --adapter no-such-gpu", &["no usable GPU"]);
 }

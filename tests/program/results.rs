@@ -107,8 +107,7 @@ fn gaussians_without_effect_are_hidden_unless_asked_for() {
 
 #[test]
 fn info_describes_every_file() {
-    let device = organza::open_device(&DeviceOptions::cpu(Some(1))).unwrap();
-    let renderer = Renderer::new(device);
+    let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(Some(1))).unwrap());
     for name in names() {
         let sandbox = Sandbox::new(&name);
         let case = Case::load(&cases::folder().join(&name));
@@ -173,8 +172,7 @@ fn a_device_is_named_and_with_details_also_why_it_is_taken() {
     assert_eq!(count(&format!("{words} -v"), is_choice), 1);
     let alone = sandbox.run(&format!("{words} --backend cpu --threads 1")).assert_ok();
     assert!(alone.stderr.starts_with("CPU, 1 thread\n"), "{alone:?}");
-    let outcome = sandbox.run(&format!("{words} --backend cpu --quiet")).assert_ok();
-    assert_eq!(outcome.stderr, "");
+    assert_eq!(sandbox.run(&format!("{words} --backend cpu --quiet")).assert_ok().stderr, "");
 }
 
 #[test]

@@ -230,8 +230,7 @@ impl Sandbox {
     #[track_caller]
     pub fn assert_refuses(&self, words: &str, facts: &[&str]) {
         let before = self.files();
-        let outcome = self.run(words);
-        outcome.assert_refused(facts);
+        self.run(words).assert_refused(facts);
         assert!(before == self.files(), "{words} left {:?}", self.files().keys());
     }
 

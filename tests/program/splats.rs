@@ -39,8 +39,7 @@ fn a_scene_goes_out_and_comes_back() {
     assert!(after > before + 2.0 && after > 26.0, "{outcome:?}");
     // the same bits for any number of threads
     let [one, two] = ["1", "2"].map(|threads| {
-        let few = format!("{words} -o {threads}.ply --steps 8 --threads {threads}");
-        sandbox.run(&few).assert_ok();
+        sandbox.run(&format!("{words} -o {threads}.ply --steps 8 --threads {threads}")).assert_ok();
         fs::read(sandbox.path(&format!("{threads}.ply"))).expect("a file")
     });
     assert!(one == two);

@@ -106,8 +106,7 @@ pub fn check_writable(path: impl AsRef<Path>) -> Result<()> {
         }
         let folder = parent(&fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()));
         if !fs::metadata(&folder)?.is_dir() {
-            let reason = format!("{} is a file, not a folder", folder.display());
-            return Err(io::Error::other(reason));
+            return Err(io::Error::other(format!("{} is a file, not a folder", folder.display())));
         }
         check_folder(&folder)
     };

@@ -156,8 +156,7 @@ impl Camera {
         [width, height]: [u32; 2],
     ) -> Self {
         let file_path = None;
-        let distorted = false;
-        Self { camera_to_world, fl_x, fl_y, cx, cy, width, height, file_path, distorted }
+        Self { camera_to_world, fl_x, fl_y, cx, cy, width, height, file_path, distorted: false }
     }
 
     /// The same view as an image of another size. It shows everything that the camera sees. If the shape differs, it

@@ -28,8 +28,7 @@ pub fn pack_halves(table: &[f32], features: usize, name: &str) -> Result<Vec<u32
             ),
         );
     }
-    let entries = halves(table);
-    Ok(entries.chunks(features).flat_map(|entry| entry.chunks(2).map(word)).collect())
+    Ok(halves(table).chunks(features).flat_map(|entry| entry.chunks(2).map(word)).collect())
 }
 
 /// One or two halves in a word, the first in the lower bits.

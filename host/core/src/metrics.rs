@@ -139,8 +139,7 @@ impl Strip<'_> {
         let valid = self.windows();
         let mut total = 0.0;
         for channel in 0..3 {
-            let columns = self.columns(channel, weights);
-            for (window, &is_valid) in columns.windows(WINDOW).zip(&valid) {
+            for (window, &is_valid) in self.columns(channel, weights).windows(WINDOW).zip(&valid) {
                 if is_valid {
                     let mut sums = Moments::default();
                     for (column, &weight) in window.iter().zip(weights) {

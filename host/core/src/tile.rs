@@ -165,8 +165,7 @@ impl TileBatch {
         check_output(self.tiles.len() as u64, self.side)?;
         for (index, tile) in self.tiles.iter().enumerate() {
             if tile.origin.iter().any(|value| value.unsigned_abs() > MAX_TILE_ORIGIN as u32) {
-                let reason = origin_range(&format!("{:?}", tile.origin));
-                return Err(tile_error(index, reason));
+                return Err(tile_error(index, origin_range(&format!("{:?}", tile.origin))));
             }
         }
         Ok(())

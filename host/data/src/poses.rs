@@ -111,8 +111,7 @@ impl Poses {
             let placement = Placement::of(&cameras, &points);
             poses.dataset.block.as_ref().map_or(placement, |block| block.aligned(placement))
         };
-        let placement = options.placement.unwrap_or_else(suggested);
-        poses.place(placement);
+        poses.place(options.placement.unwrap_or_else(suggested));
         Ok(poses)
     }
 
@@ -165,8 +164,7 @@ impl Poses {
         let downscale = self.options.downscale;
         let (camera, factor) = match prepared {
             true => {
-                let size = decode::size(&path)?;
-                let smaller = develop::prepared(&camera, downscale, size);
+                let smaller = develop::prepared(&camera, downscale, decode::size(&path)?);
                 (smaller.or_else(|reason| invalid(&path, reason))?, 1)
             }
             false => (camera, downscale),
@@ -174,8 +172,7 @@ impl Poses {
         self.dataset.prepared += usize::from(prepared);
         let name = camera.file_path.clone().unwrap_or_default();
         let pose = camera.camera_to_world;
-        let trained = None;
-        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out, trained };
+        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out, trained: None };
         self.shots.extend(panorama::views_of(shot));
         Ok(())
     }

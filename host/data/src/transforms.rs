@@ -61,8 +61,7 @@ fn add_points(poses: &mut Poses, file: &Value, path: &Path) -> Result<()> {
             return Ok(());
         }
         Some(other) => {
-            let reason = format!("`ply_file_path` is {}, expected a path", kind(other));
-            return invalid(path, reason);
+            return invalid(path, format!("`ply_file_path` is {}, expected a path", kind(other)));
         }
     }
     match points(folder(path), poses) {

@@ -107,8 +107,7 @@ impl CompositeBackward {
             let conic = [xx, xy, yy];
             let weight = if blur > 0.0 { bare * compensation(conic, blur) } else { bare };
             let flatness = is_shaped.then_some(k);
-            let color = [r, g, b];
-            let splat = Splat { mean: [x, y], weight, conic, color, growth, flatness };
+            let splat = Splat { mean: [x, y], weight, conic, color: [r, g, b], growth, flatness };
             Number::sum(pixels.iter().flat_map(|(place, slopes)| {
                 let terms = splat.term(*place);
                 [0, 1, 2, 3].map(|channel| terms[channel] * Dual::constant(slopes[channel]))
@@ -144,8 +143,7 @@ impl Parity for CompositeBackward {
             sets.push((format!("sloped, side {side}"), Self::new(set.clone())));
             let set = Self::new(set.shaped());
             sets.push((format!("sloped and shaped, side {side}"), set.clone()));
-            let name = format!("sloped, shaped and compensated, side {side}");
-            sets.push((name, set.compensated()));
+            sets.push((format!("sloped, shaped and compensated, side {side}"), set.compensated()));
             let set = Self::new(Composite::filled(side, Fill::Random, 12).shaped());
             sets.push((format!("shaped, side {side}"), set));
         }

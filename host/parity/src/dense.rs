@@ -74,8 +74,7 @@ pub fn head_sets<S>(new: impl Fn(Dense, Fill, &mut Random) -> S) -> Vec<(String,
             let is_negative = (at as u32 % stride).is_multiple_of(2);
             *value = if is_negative { -value.abs() } else { value.abs() };
         }
-        let set = new(layer, Fill::Random, &mut Random::new(6));
-        sets.push((format!("logits of {size}"), set));
+        sets.push((format!("logits of {size}"), new(layer, Fill::Random, &mut Random::new(6))));
     }
     sets
 }

@@ -157,8 +157,7 @@ impl Parity for DenseWeightBackward {
     }
 
     fn convert(&self, mut outputs: Vec<Output>) -> Vec<Output> {
-        let sums = read_sums(&outputs[1].words(), self.before.len());
-        outputs[1] = Output::float("sum", sums);
+        outputs[1] = Output::float("sum", read_sums(&outputs[1].words(), self.before.len()));
         outputs
     }
 

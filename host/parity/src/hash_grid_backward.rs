@@ -57,8 +57,7 @@ impl HashGridBackward {
     }
 
     fn unrounded_set(grid: GridConfig, points: Vec<[Split; 3]>, gradient: Vec<f32>) -> Self {
-        let set = Self::new(grid, points, gradient, [2_f32.powi(40), f32::MAX]);
-        Self { is_unrounded: true, ..set }
+        Self { is_unrounded: true, ..Self::new(grid, points, gradient, [2_f32.powi(40), f32::MAX]) }
     }
 
     /// A grid of scale 4 in both levels, which are dense with 2^9 entries and hashed with 2^6.
@@ -92,8 +91,7 @@ impl HashGridBackward {
         let grid = Self::grid_of_whole_scale(9);
         let points = vec![unrounded_point(7, &mut random); 777];
         let gradient = (0..grid.width() * 777).map(|at| (at / 777) as f32 + 0.25).collect();
-        let set = Self::unrounded_set(grid, points, gradient);
-        sets.push(("777 points at one place".into(), set));
+        sets.push(("777 points at one place".into(), Self::unrounded_set(grid, points, gradient)));
         sets.extend(Self::largest());
         sets
     }
@@ -111,8 +109,7 @@ impl HashGridBackward {
             let set = Self { is_unrounded: true, ..set };
             (format!("{SAMPLES} of {:e}", sign * limit), set)
         };
-        let bounds = [1e-31, 3.7, 3e37];
-        bounds.into_iter().flat_map(|bound| [of(bound, 1.0), of(bound, -1.0)]).collect()
+        [1e-31, 3.7, 3e37].into_iter().flat_map(|bound| [of(bound, 1.0), of(bound, -1.0)]).collect()
     }
 
     /// Gradients that are not finite or exceed the limit: the kernel skips the point in that level.

@@ -28,8 +28,7 @@ impl Parity for HashGridPeak {
     fn sets() -> Vec<(String, Self)> {
         let set = |pair_gradient, transmittance: Vec<f32>, color, power| {
             let pairs = transmittance.len() as u32;
-            let color = u32::from(color);
-            let params = HashGridPeakParams { pairs, color, power };
+            let params = HashGridPeakParams { pairs, color: u32::from(color), power };
             Self(HashGridPeakInputs { params, pair_gradient, transmittance, bound: vec![0] })
         };
         let mut sets = Vec::new();
@@ -63,8 +62,7 @@ impl Parity for HashGridPeak {
             true => color_bound(pair[2].truncate().to_array().map(Rounded::from)),
             false => transmittance_bound([pair[0].w, t, self.params.power].map(Rounded::from)),
         };
-        let pairs = self.pair_gradient.chunks_exact(3).zip(&self.transmittance);
-        listed([largest(pairs.map(of_pair))])
+        listed([largest(self.pair_gradient.chunks_exact(3).zip(&self.transmittance).map(of_pair))])
     }
 }
 
@@ -104,8 +102,7 @@ impl Parity for HashGridNorm {
     fn exact(&self, _: &str, len: usize) -> Vec<Option<Rounded>> {
         let weights = self.parameters[BEFORE as usize..].chunks_exact(self.params.columns as usize);
         let sum = |input: &[Vec4]| {
-            let numbers = input.iter().flat_map(|vector| vector.abs().to_array());
-            Rounded::sum(numbers.map(Rounded::from))
+            Rounded::sum(input.iter().flat_map(|vector| vector.abs().to_array()).map(Rounded::from))
         };
         let mut exact = vec![Some(Rounded::exact(0.0)); len];
         exact[SLOT as usize] = Some(largest(weights.map(sum)));

@@ -107,8 +107,7 @@ impl LossRows {
 impl Parity for LossRows {
     fn sets() -> Vec<(String, Self)> {
         let mut sets = sets(Self::new);
-        let long = Self::new(130, Fill::Random, &mut Random::new(7));
-        sets.push(("random, side 130".into(), long));
+        sets.push(("random, side 130".into(), Self::new(130, Fill::Random, &mut Random::new(7))));
         sets
     }
 
@@ -149,8 +148,7 @@ impl Parity for LossCheck {
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let is_finite = |sum: &Vec4| sum.x.is_finite() && sum.y.is_finite();
-        let failed = !self.row_sum.iter().all(is_finite);
-        listed([u32::from(failed), 7, 8, 9, u32::MAX])
+        listed([u32::from(!self.row_sum.iter().all(is_finite)), 7, 8, 9, u32::MAX])
     }
 }
 

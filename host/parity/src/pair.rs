@@ -23,8 +23,7 @@ pub fn mask(len: u32, bits: Bits, random: &mut Random) -> Vec<u32> {
 /// Sets of all sizes and fillings.
 pub fn mask_sets<T>(make: impl Fn(u32, Bits, &mut Random) -> T) -> Vec<(String, T)> {
     let set = |words: u32, (name, bits): (&str, Bits)| {
-        let set = make(words, bits, &mut Random::new(words.into()));
-        (format!("{name} bits, {words} words"), set)
+        (format!("{name} bits, {words} words"), make(words, bits, &mut Random::new(words.into())))
     };
     SIZES.into_iter().flat_map(|words| BITS.map(|bits| set(words, bits))).collect()
 }
@@ -110,8 +109,7 @@ impl Parity for PairSum {
         let mut sets =
             mask_sets(|words, bits, random| set(words.min(129), bits, 2, Fill::Random, random));
         for fill in Fill::ADVERSARIAL {
-            let set = set(5, Random::bits, 7, fill, &mut Random::new(16));
-            sets.push((fill.name().into(), set));
+            sets.push((fill.name().into(), set(5, Random::bits, 7, fill, &mut Random::new(16))));
         }
         sets
     }

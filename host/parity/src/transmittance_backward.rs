@@ -21,8 +21,7 @@ fn sets<T>(seed: u64, new: impl Fn(Chunk, Fill, &mut Random) -> T) -> Vec<(Strin
     let mut sets = inputs::sets(|n, fill, random| new(chunk(n, random), fill, random));
     for (name, pairs) in long_pairs() {
         let samples = pairs[pairs.len() - 1] - FIRST_SAMPLE - AFTER;
-        let set = new((pairs, samples), Fill::Random, &mut Random::new(seed));
-        sets.push((name.into(), set));
+        sets.push((name.into(), new((pairs, samples), Fill::Random, &mut Random::new(seed))));
     }
     sets
 }

@@ -193,7 +193,6 @@ impl Charts {
 
     /// JSON that is safe inside a page: no `<` can end its element.
     pub fn json(&self) -> String {
-        let text = serde_json::to_string(self).unwrap_or_default();
-        text.replace('<', "\\u003c")
+        serde_json::to_string(self).unwrap_or_default().replace('<', "\\u003c")
     }
 }

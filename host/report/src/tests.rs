@@ -74,8 +74,7 @@ fn records(names: &[&str]) -> Vec<Record> {
     }
     let name = "run.steps".to_owned();
     let from = 1500.into();
-    let to = 2000.into();
-    records.push(Record::Change(Change { step: 1000, name, from, to }));
+    records.push(Record::Change(Change { step: 1000, name, from, to: 2000.into() }));
     let row = |stage: &str, seconds| TimingRow { stage: stage.to_owned(), seconds, share: 0.5 };
     let rows = vec![row("composite", 100.0), row("adam", 100.0)];
     records.push(Record::Timing { step: 1500, rows });
@@ -85,8 +84,7 @@ fn records(names: &[&str]) -> Vec<Record> {
 /// Writes a run's folder, with pictures of the first two views after steps 0, 500 and 1000.
 fn run(folder: &Path, config: &str, records: &[Record]) -> Run {
     fs::create_dir_all(folder).unwrap();
-    let config = TrainConfig::parse(config, Path::new("")).unwrap();
-    config.save(folder.join(CONFIG)).unwrap();
+    TrainConfig::parse(config, Path::new("")).unwrap().save(folder.join(CONFIG)).unwrap();
     let mut log = MetricsLog::create(folder.join(METRICS)).unwrap();
     records.iter().for_each(|record| log.append(record).unwrap());
     let pictures = Pictures::from_run(folder);
@@ -125,8 +123,7 @@ fn walk(node: &Handle, found: &mut Vec<Element>) {
         let attributes =
             attributes.iter().map(|one| (one.name.local.to_string(), one.value.to_string()));
         let tag = name.local.to_string();
-        let attributes = attributes.collect();
-        found.push(Element { tag, attributes, text: text(node) });
+        found.push(Element { tag, attributes: attributes.collect(), text: text(node) });
     }
     node.children.borrow().iter().for_each(|child| walk(child, found));
 }

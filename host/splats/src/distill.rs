@@ -82,7 +82,7 @@ pub struct Distilled {
 /// Views in which Gaussians are measured.
 #[derive(Clone, Debug)]
 pub(super) struct HeldOutViews {
-    targets: Vec<Target>,
+    targets: Vec<(Camera, Image)>,
     background: [f32; 3],
 }
 
@@ -95,14 +95,13 @@ impl HeldOutViews {
         options: Fit,
     ) -> Result<Self> {
         let cameras = if views.held_out.is_empty() { &views.fitted } else { &views.held_out };
-        let target = |camera| Target::new(renderer, uploaded, camera, options.side);
-        let targets = cameras.iter().map(target).collect::<Result<Vec<_>>>()?;
+        let targets = targets(renderer, uploaded, cameras, options.side)?;
         Ok(Self { targets, background: background(scene) })
     }
 
     /// The mean PSNR of Gaussians' images, compared with the scene's own.
     pub fn psnr(&self, splats: &[Splat]) -> f64 {
-        let of = |Target { camera, image }: &Target| {
+        let of = |(camera, image): &(Camera, Image)| {
             let psnr = psnr(splats, camera, self.background, image.pixels(), None);
             psnr.unwrap_or(BEST_PSNR).min(BEST_PSNR)
         };
@@ -117,24 +116,15 @@ impl Distilled {
     }
 }
 
-/// A camera, with the scene's image.
-#[derive(Clone, Debug)]
-struct Target {
-    camera: Camera,
-    image: Image,
-}
-
-impl Target {
-    fn new(
-        renderer: &Renderer,
-        uploaded: &DeviceScene,
-        camera: &Camera,
-        side: u32,
-    ) -> Result<Self> {
-        let camera = camera.within(side);
-        let image = renderer.render_view(uploaded, &camera)?;
-        Ok(Self { camera, image })
-    }
+/// Cameras with images of at most this side, and the scene's images.
+fn targets<'a>(
+    renderer: &Renderer,
+    uploaded: &DeviceScene,
+    cameras: impl IntoIterator<Item = &'a Camera>,
+    side: u32,
+) -> Result<Vec<(Camera, Image)>> {
+    let cameras = cameras.into_iter().map(|camera| camera.within(side));
+    cameras.map(|camera| Ok((camera.clone(), renderer.render_view(uploaded, &camera)?))).collect()
 }
 
 fn background(scene: &Scene) -> [f32; 3] {
@@ -174,19 +164,18 @@ pub fn distill(
     let steps = options.steps as usize;
     // views that no step will see need no image
     let others = between(cameras, VIEWS.min(steps).saturating_sub(cameras.len()))?;
-    let targets: Vec<_> = cameras.iter().chain(&others).take(steps).collect();
+    let fitted: Vec<_> = cameras.iter().chain(&others).take(steps).collect();
     let pixels = |camera: &&Camera| {
         let Camera { width, height, .. } = camera.within(options.side);
         u64::from(width) * u64::from(height)
     };
-    memory::check(3 * targets.iter().map(pixels).sum::<u64>(), "the images to compare")?;
-    let target = |camera| Target::new(renderer, uploaded, camera, options.side);
-    let mut targets = targets.into_iter().map(target).collect::<Result<Vec<_>>>()?;
+    memory::check(3 * fitted.iter().map(pixels).sum::<u64>(), "the images to compare")?;
+    let mut targets = targets(renderer, uploaded, fitted, options.side)?;
     // so that successive steps do not compare neighbors
     targets.shuffle(&mut random(0, SHUFFLE, 0));
     let mut adam = Adam::new(splats.len())?;
     for step in 0..steps {
-        let Target { camera, image } = &targets[step % targets.len()];
+        let (camera, image) = &targets[step % targets.len()];
         let gradient = gradient(&splats, camera, background, &colors(image.pixels()));
         let rate = LAST.powf(step as f32 / options.steps as f32);
         adam.step(&mut splats, &gradient, rate);
@@ -205,8 +194,7 @@ pub fn psnr(
     pixels: &[[u8; 3]],
     valid: Option<&[bool]>,
 ) -> Option<f64> {
-    let image = displayed(render(splats, camera, background, false));
-    metrics::psnr(&image, &colors(pixels), valid)
+    metrics::psnr(&displayed(render(splats, camera, background, false)), &colors(pixels), valid)
 }
 
 fn colors(pixels: &[[u8; 3]]) -> Vec<[f32; 3]> {

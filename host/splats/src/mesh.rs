@@ -123,8 +123,7 @@ impl Grid {
         let low = DVec3::from(low);
         let sides = DVec3::from(high) - low;
         let cell = sides.max_element() / f64::from(cells);
-        let size = sides.to_array().map(|side| (side / cell).ceil() as u32 + 2);
-        Self { low, cell, size }
+        Self { low, cell, size: sides.to_array().map(|side| (side / cell).ceil() as u32 + 2) }
     }
 
     /// The block of a point.

@@ -167,8 +167,7 @@ mod tests {
                 let up = [0.0, 0.0, 1.0];
                 let (written, offset) =
                     save_scene(&splats(), &path, format, up, &placement).unwrap();
-                let expected = is_far.then(|| placement.in_meters().offset);
-                assert_eq!(offset, expected);
+                assert_eq!(offset, is_far.then(|| placement.in_meters().offset));
                 let file = load(&path).unwrap();
                 assert!(file.is_placed);
                 if let ("a.ply", Some(offset)) = (name, offset) {

@@ -112,16 +112,14 @@ impl Console {
         let mut progress = self.show(ProgressBar::new(steps as u64), &template);
         progress.say(what);
         if !self.quiet && !self.has_terminal() {
-            let unit = unit.to_owned();
-            progress.log = Some(Log { unit, last: Mutex::default() });
+            progress.log = Some(Log { unit: unit.to_owned(), last: Mutex::default() });
         }
         progress
     }
 
     /// Shows a spinner during a task of unknown length.
     pub fn during<T>(self, what: &str, task: impl FnOnce() -> T) -> T {
-        let spinner = self.show(ProgressBar::new_spinner(), "{spinner} {msg} ({elapsed})");
-        spinner.say(what);
+        self.show(ProgressBar::new_spinner(), "{spinner} {msg} ({elapsed})").say(what);
         task()
     }
 
@@ -326,8 +324,7 @@ mod tests {
 
     #[test]
     fn long_texts_keep_both_ends() {
-        let text = format!("begin{}end", "é".repeat(10_000));
-        let short = shortened(&text, 300);
+        let short = shortened(&format!("begin{}end", "é".repeat(10_000)), 300);
         assert!(short.starts_with("begin") && short.ends_with("end"), "{short}");
         assert!(short.chars().count() < 310);
         assert_eq!(shortened("short", 5), "short");

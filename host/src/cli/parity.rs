@@ -83,8 +83,7 @@ fn chosen(name: Option<&str>) -> Result<Vec<AdapterInfo>> {
         // opening it reports why it cannot be used
         let adapter = name.map(str::to_owned);
         organza::open_device(&DeviceOptions::gpu(SpirvPath::Naga).adapter(adapter))?;
-        let reason = "it has just disappeared".into();
-        return Err(DeviceError::NoGpu { reason }.into());
+        return Err(DeviceError::NoGpu { reason: "it has just disappeared".into() }.into());
     }
     Ok(found)
 }

@@ -54,8 +54,7 @@ impl Pictures<'_> {
             let cameras = self.cameras;
             let advance = &mut progress.part();
             if channels.is_empty() {
-                let report = renderer.paint(&mut picture, self.scene, cameras, &batch, advance)?;
-                summary.add(&report);
+                summary.add(&renderer.paint(&mut picture, self.scene, cameras, &batch, advance)?);
                 continue;
             }
             let tiles = renderer.render_channels(self.scene, cameras, &batch, channels, advance)?;
@@ -82,8 +81,7 @@ pub struct Picture {
 impl Picture {
     pub fn new(view: usize, file: &Path, camera: &Camera) -> Self {
         let width = camera.width;
-        let height = camera.height;
-        Self { view, file: text_of(file), width, height, channels: BTreeMap::new() }
+        Self { view, file: text_of(file), width, height: camera.height, channels: BTreeMap::new() }
     }
 
     pub fn with_channels(mut self, channels: &[Channel], files: &[PathBuf]) -> Self {

@@ -147,8 +147,7 @@ pub fn follow_thread(
 ) {
     let ranks: Arc<dyn Ranks> = Arc::new(ranks);
     let follow = || {
-        let renderer = Renderer::new(organza::open_device(options)?);
-        train::follow(&renderer, dataset, &ranks, mixed, None)
+        train::follow(&Renderer::new(organza::open_device(options)?), dataset, &ranks, mixed, None)
     };
     if let Err(error) = follow() {
         ranks.fail(&error::chain(&error));

@@ -99,8 +99,7 @@ mod tests {
 
     #[test]
     fn numbers_are_grouped_and_counted() {
-        let cases = [(0, "0"), (999, "999"), (1000, "1,000"), (1_234_567, "1,234,567")];
-        for (number, text) in cases {
+        for (number, text) in [(0, "0"), (999, "999"), (1000, "1,000"), (1_234_567, "1,234,567")] {
             assert_eq!(grouped(number), text);
         }
         assert_eq!([0, 1, 2000].map(|n| count(n, "tile")), ["0 tiles", "1 tile", "2,000 tiles"]);

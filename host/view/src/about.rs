@@ -116,8 +116,7 @@ fn overview(aabb: [[f64; 3]; 2]) -> Camera {
 
 /// Positions `[n, 3]` and colors `[n, 3]` of a sample of the points.
 fn sample(points: &[Point]) -> (Vec<f32>, Vec<u8>) {
-    let every = points.len().div_ceil(MAX_POINTS).max(1);
-    let some = points.iter().step_by(every);
+    let some = points.iter().step_by(points.len().div_ceil(MAX_POINTS).max(1));
     let positions = some.clone().flat_map(|point| point.position.map(|x| x as f32)).collect();
     (positions, some.flat_map(|point| point.color.unwrap_or([160; 3])).collect())
 }

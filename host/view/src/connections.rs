@@ -64,8 +64,7 @@ impl Connections {
             state.newest
         };
         let task = serve(Place { connections: Arc::clone(self), number });
-        let connection = Connection { peer, has_token: false, task };
-        self.lock().connections.insert(number, connection);
+        self.lock().connections.insert(number, Connection { peer, has_token: false, task });
     }
 
     fn lock(&self) -> MutexGuard<'_, ConnectionsState> {

@@ -304,7 +304,12 @@ impl Editor {
         let whole = if self.is_hidden { self.before() } else { self.left.clone() };
         let mut measured = match self.measured.take() {
             Some(measured) if measured.gaussians == whole => measured,
-            _ => self.unmeasured(stage, whole)?,
+            _ => Measured {
+                scene: Some(self.uploaded(stage, &whole)?),
+                found: Contributions::new(whole.len()),
+                gaussians: whole,
+                seen: 0,
+            },
         };
         if let Some(scene) = &measured.scene {
             let view = measured.seen % self.poses.len();
@@ -336,13 +341,6 @@ impl Editor {
             self.removals.extend(self.is_hidden.then_some(removed));
         }
         Ok(())
-    }
-
-    /// The scene of these Gaussians, of which no view was looked at.
-    fn unmeasured(&self, stage: Stage<'_>, gaussians: Vec<usize>) -> Result<Measured> {
-        let scene = Some(self.uploaded(stage, &gaussians)?);
-        let found = Contributions::new(gaussians.len());
-        Ok(Measured { found, gaussians, scene, seen: 0 })
     }
 
     /// The scene of some Gaussians.

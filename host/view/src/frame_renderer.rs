@@ -101,8 +101,7 @@ impl FrameRenderer {
         let Some(Canvas { image, range, steps, report }) = canvas else { return Ok(None) };
         let (kind, bytes) = match job.request.quality {
             Quality::Exact => {
-                let bytes = image.encode_png();
-                ("image/png", bytes.or_else(|error| refuse(error.to_string()))?)
+                ("image/png", image.encode_png().or_else(|error| refuse(error.to_string()))?)
             }
             _ => ("image/jpeg", picture::encode_jpeg(&image)?),
         };

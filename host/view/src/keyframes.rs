@@ -51,8 +51,7 @@ pub fn listed(cameras: &[Camera]) -> Vec<u8> {
 /// Writes keyframes as a file, in the world where a scene lies.
 pub fn write(keyframes: &[Camera], placement: &Placement) -> Result<Vec<u8>> {
     keyframes.iter().try_for_each(check)?;
-    let world = keyframes.iter().map(|keyframe| placement.world_camera(keyframe));
-    encode(&world.collect::<Vec<_>>())
+    encode(&keyframes.iter().map(|keyframe| placement.world_camera(keyframe)).collect::<Vec<_>>())
 }
 
 /// Reads the keyframes of a file: cameras of the world, in any form of a `transforms.json`.

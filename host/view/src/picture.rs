@@ -93,8 +93,7 @@ pub fn channel_image(
         Mode::Weight => Range { low: 0.0, high: round_up(highest(values).max(2.0)) },
         _ => Range { low: 0.0, high: 1.0 },
     };
-    let values = values.iter().map(|&value| f64::from(value));
-    (scaled(mode, size, values, range), Some(range))
+    (scaled(mode, size, values.iter().map(|&value| f64::from(value)), range), Some(range))
 }
 
 /// The image of the number of Gaussians in each pixel's sum.

@@ -49,8 +49,7 @@ impl Places {
             let radius = (high - low).max_element() / 2.0;
             Placed { name, place, center: (low + high) / 2.0, radius }
         };
-        let scenes = scene.all().skip(1).zip(named).map(placed).collect();
-        Self { scenes, ..Self::default() }
+        Self { scenes: scene.all().skip(1).zip(named).map(placed).collect(), ..Self::default() }
     }
 
     /// The scenes to show instead of the first places, and their version.

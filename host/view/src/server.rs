@@ -232,10 +232,7 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
                 None => Err(Refusal(StatusCode::NOT_FOUND, format!("there is no {path}"))),
             }
         }
-        _ => {
-            let reason = format!("{method} is not for {path}");
-            Err(Refusal(StatusCode::METHOD_NOT_ALLOWED, reason))
-        }
+        _ => Err(Refusal(StatusCode::METHOD_NOT_ALLOWED, format!("{method} is not for {path}"))),
     }
 }
 

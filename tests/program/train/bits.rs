@@ -43,8 +43,7 @@ fn a_run_by_minutes_repeats_from_its_settings() {
     assert_same_run(&sandbox, "again", "one");
     assert_eq!(TrainConfig::load(sandbox.path("again/config.toml")).expect("settings"), config);
     // a fixed number of steps needs no schedule
-    let words = "train --config one/config.toml --backend cpu --steps 5 -o five";
-    sandbox.run(words).assert_ok();
+    sandbox.run("train --config one/config.toml --backend cpu --steps 5 -o five").assert_ok();
     let five = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");
     assert_eq!((five.run.steps, five.run.schedule.len()), (5, 0));
     // and it goes on for some minutes more

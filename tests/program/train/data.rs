@@ -101,8 +101,7 @@ fn a_data_set_that_has_moved_is_named() {
     sandbox.run("eval run --backend cpu").assert_ok();
     // a run can be resumed from any folder
     sandbox.rename("moved", "views");
-    let resume = "train --resume run --steps 9 --set data.path=views --backend cpu";
-    sandbox.run(resume).assert_ok();
+    sandbox.run("train --resume run --steps 9 --set data.path=views --backend cpu").assert_ok();
     sandbox.shell("mkdir elsewhere && cd elsewhere && \"$ORGANZA\" eval ../run").assert_ok();
 }
 
@@ -110,8 +109,7 @@ fn a_data_set_that_has_moved_is_named() {
 #[test]
 fn a_run_moves_with_its_data() {
     let sandbox = sandbox();
-    let copy = "mkdir -p a/run && cp -r views a/run/data && cp -r views a/views";
-    sandbox.shell(copy).assert_ok();
+    sandbox.shell("mkdir -p a/run && cp -r views a/run/data && cp -r views a/views").assert_ok();
     for (data, run) in [("a/run/data", "a/run"), ("a/views", "a/beside")] {
         let train = TINY.replace(" views ", &format!(" {data} "));
         sandbox.run(&format!("{train} {run} --steps 5")).assert_ok();
@@ -180,8 +178,7 @@ fn large_photographs_shrink_to_what_the_steps_draw() {
     }
     for view in ["view-000", "view-001"] {
         let path = sandbox.path(&format!("views/{view}.png"));
-        let wide = image::open(&path).unwrap().resize_exact(3200, 64, FilterType::Nearest);
-        wide.save(path).unwrap();
+        image::open(&path).unwrap().resize_exact(3200, 64, FilterType::Nearest).save(path).unwrap();
     }
     let train = format!("{TINY} @ --steps 2 --hold-out-every 0 --max-gaussians 100");
     let downscale = |run: &str, words: &str| {

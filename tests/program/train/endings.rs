@@ -122,8 +122,7 @@ fn a_killed_run_by_minutes_keeps_its_plan() {
     let planned = TrainConfig::load(folder.join(CONFIG)).expect("settings");
     sandbox.run("train --resume run --backend cpu").assert_ok();
     assert_eq!(TrainConfig::load(folder.join(CONFIG)).expect("settings"), planned);
-    let progress = Checkpoint::load(folder.join(CHECKPOINT)).unwrap().progress;
-    assert_eq!(progress.step, planned.run.steps);
+    assert_eq!(Checkpoint::load(folder.join(CHECKPOINT)).unwrap().progress.step, planned.run.steps);
     sandbox.run("train --config run/config.toml --backend cpu -o whole").assert_ok();
     assert_like_whole(&sandbox, "run");
 }

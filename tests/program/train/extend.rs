@@ -87,8 +87,7 @@ fn bad_extensions_are_refused() {
         ("--set run.stesp=50", ["no setting `run.stesp`", "did you mean `run.steps`?"]),
         ("--tile-size 8", ["`run.tile_size` is 8", "only run.steps"]),
     ] {
-        let words = format!("train --resume run {words} --backend cpu");
-        sandbox.assert_refuses(&words, &facts);
+        sandbox.assert_refuses(&format!("train --resume run {words} --backend cpu"), &facts);
     }
     sandbox
         .run("train --resume run --backend cpu")

@@ -60,8 +60,7 @@ fn places(sandbox: &Sandbox) -> Vec<Place> {
 fn assert_goes_on(sandbox: &Sandbox, what: &str, expected: &Bits) {
     let folder = sandbox.path("run");
     assert_readable(&folder);
-    let words = if folder.join(CONFIG).exists() { RESUME } else { RUN };
-    let outcome = sandbox.run(words);
+    let outcome = sandbox.run(if folder.join(CONFIG).exists() { RESUME } else { RUN });
     assert_eq!(outcome.code, Some(0), "{what}: {outcome:?}");
     assert_same(what, &bits(sandbox, "run"), expected);
     let names: Vec<_> = sandbox.contents("run").into_keys().collect();

@@ -87,8 +87,7 @@ fn photographs_that_say_they_are_huge_are_refused() {
 fn decoding_has_a_budget() {
     let sandbox = data();
     let size = [8000, 6000];
-    let photograph = image::GrayImage::new(size[0], size[1]);
-    photograph.save(sandbox.path("data/images/0000.png")).unwrap();
+    image::GrayImage::new(size[0], size[1]).save(sandbox.path("data/images/0000.png")).unwrap();
     let file = sandbox.read("data/images/0000.png");
     replace_photograph(&sandbox, &file, size);
     let frame = sandbox.read_json("data/transforms.json")["frames"][0].clone();
@@ -127,8 +126,7 @@ fn profiles_that_grow_are_passed_over() {
         let profile = chunk(b"iCCP", &[b"a\0\0", zeros(400 << 20).as_slice()].concat());
         sandbox.write(&name, [header, &profile, rest].concat());
     }
-    let words = format!("{TRAIN} --downscale 2 --hold-out-every 0");
-    sandbox.run_within(600_000, &words).assert_ok();
+    sandbox.run_within(600_000, &format!("{TRAIN} --downscale 2 --hold-out-every 0")).assert_ok();
 }
 
 #[test]

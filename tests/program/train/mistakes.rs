@@ -69,7 +69,6 @@ fn divergence_is_refused_and_keeps_the_checkpoint() {
         }
     });
     let before = sandbox.read(name);
-    let outcome = sandbox.run("train --resume run --backend cpu");
-    outcome.assert_refused(&["lower the learning rates"]);
+    sandbox.run("train --resume run --backend cpu").assert_refused(&["lower the learning rates"]);
     assert!(sandbox.read(name) == before, "the checkpoint has changed");
 }

@@ -73,8 +73,7 @@ fn a_killed_rank_ends_all_and_another_number_goes_on() {
     assert!(Command::new("kill").args(["-KILL", &last]).status().expect("kill").success());
     assert_ne!(wait_for_end(&mut child), Some(0));
 
-    let resume = "train --resume run --backend cpu --threads 1";
-    assert_ok(mpirun(&sandbox, &[(2, resume)]));
+    assert_ok(mpirun(&sandbox, &[(2, "train --resume run --backend cpu --threads 1")]));
     sandbox
         .run(&format!("{TINY} whole --threads 1 --steps 40 --evaluate-every 0 --ranks 1"))
         .assert_ok();

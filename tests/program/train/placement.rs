@@ -143,8 +143,7 @@ fn photographs_tell_the_axes_of_a_file() {
     let file = splats::load(sandbox.path("a.ply")).unwrap();
     let save = |name: &str, file: &SplatFile| {
         let path = sandbox.path(name);
-        let place = Placement::default();
-        splats::save(&file.splats, path, Format::Spz2, [0.0; 3], &place).unwrap();
+        splats::save(&file.splats, path, Format::Spz2, [0.0; 3], &Placement::default()).unwrap();
     };
     save("right.spz", &file);
     let half = DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0));
@@ -214,8 +213,7 @@ fn commands_speak_of_the_world() {
 
     let info = sandbox.run("info run --json").json();
     let corner: Vec<f64> = serde_json::from_value(info["corners"][0].clone()).unwrap();
-    let low = placement.world(scene.config.aabb[0]);
-    assert_eq!(corner, low);
+    assert_eq!(corner, placement.world(scene.config.aabb[0]));
     // the box of the scene keeps all that is in it, and one around the origin nothing
     let corners = info["corners"].as_array().unwrap();
     let corners = corners.iter().flat_map(|corner| corner.as_array().unwrap());

@@ -85,8 +85,7 @@ pub fn add_views(sandbox: &Sandbox, count: u32) {
 
 /// The photographs of [`sandbox`], read with a run's settings.
 pub fn dataset(sandbox: &Sandbox, config: &TrainConfig) -> Arc<Dataset> {
-    let options = config.data.options();
-    Arc::new(Dataset::load(sandbox.path("views"), &options).expect("photographs"))
+    Arc::new(Dataset::load(sandbox.path("views"), &config.data.options()).expect("photographs"))
 }
 
 /// The built-in scene with longer steps: most of the time would go into samples.

@@ -52,8 +52,7 @@ fn camera(page: &mut Page) -> Value {
 
 /// The output of `render` for these scenes and the camera of the page.
 fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value, scenes: &str) -> RgbImage {
-    let file = viewer.post("/cameras.json", &json!([camera])).ok();
-    sandbox.write("shown.json", file.body);
+    sandbox.write("shown.json", viewer.post("/cameras.json", &json!([camera])).ok().body);
     sandbox.run(&format!("render {scenes} shown.json -o shown --backend cpu")).assert_ok();
     pixels(&sandbox.read("shown/0000.png"))
 }
@@ -114,8 +113,7 @@ fn assert_explains(page: &mut Page, at: [f64; 2], viewer: &Viewer, sandbox: &San
     page.wait("organza.explain.answer");
     let answer = page.eval("organza.explain.answer");
     let pixel = answer["pixel"].clone();
-    let file = viewer.post("/cameras.json", &json!([camera(page)])).ok();
-    sandbox.write("shown.json", file.body);
+    sandbox.write("shown.json", viewer.post("/cameras.json", &json!([camera(page)])).ok().body);
     let words =
         format!("explain scene.safetensors shown.json --pixel {},{} --json", pixel[0], pixel[1]);
     let expected = sandbox.run(&words).json();
@@ -292,8 +290,7 @@ fn a_scene_is_moved_in_a_browser() {
     page.eval(
         "{ const words = document.getElementById('place-words'); words.value = '{\"scale\": 0.25}'; words.onchange(); }",
     );
-    let written = Place { scale: 0.25, ..Place::default() };
-    assert_eq!(place(&mut page), written);
+    assert_eq!(place(&mut page), Place { scale: 0.25, ..Place::default() });
     page.wait(REST);
     assert!(shown(&mut page) != moved);
     page.key("z");

@@ -62,8 +62,7 @@ impl Page {
         let folder = tempfile::tempdir().expect("a folder");
         let path = |name: &str| folder.path().join(name);
         let pipes = ["in", "out"].map(path);
-        let made = Command::new("mkfifo").args(&pipes).status().expect("mkfifo");
-        assert!(made.success());
+        assert!(Command::new("mkfifo").args(&pipes).status().expect("mkfifo").success());
         let script = "exec \"$0\" \"$@\" 3<\"$IN\" 4>\"$OUT\"";
         let child = Command::new("sh")
             .args(["-c", script, program, "--headless", "--remote-debugging-pipe", "--no-sandbox"])

@@ -80,8 +80,7 @@ fn the_bits_do_not_depend_on_who_watches() {
 #[test]
 fn the_page_stops_a_training_as_ctrl_c_does() {
     let sandbox = sandbox();
-    let words = format!("{TINY} run --view --port 0 --steps 100000");
-    let mut viewer = Viewer::start(&sandbox, &words);
+    let mut viewer = Viewer::start(&sandbox, &format!("{TINY} run --view --port 0 --steps 100000"));
     let board = || viewer.get("/training.json").json();
     wait_until("psnr of held-out views", || {
         board()["evaluations"]["psnr"].as_array().is_some_and(|all| all.len() > 2)

@@ -268,8 +268,7 @@ mod tests {
     fn cameras_on_one_side_do_not_tilt_the_axis() {
         let orbit = Orbit { elevation: 0.4, ..orbit() };
         let all = orbit.cameras(36).unwrap();
-        let side = [&all[33..], &all[..4]].concat();
-        let found = Orbit::around(&side).unwrap();
+        let found = Orbit::around(&[&all[33..], &all[..4]].concat()).unwrap();
         let tilt = DVec3::from(found.up).dot(DVec3::from(orbit.up)).acos().to_degrees();
         assert!(tilt < 5.0, "{tilt}");
     }
@@ -356,8 +355,7 @@ mod tests {
 
         // all around: once around, evenly
         let ring: Vec<_> = (0..9).map(|i| at([TAU * f64::from(i) / 9.0, 0.3, 4.0])).collect();
-        let way = Orbit::among(&ring, 12).unwrap();
-        for (index, camera) in way.iter().enumerate() {
+        for (index, camera) in Orbit::among(&ring, 12).unwrap().iter().enumerate() {
             let apart = place(camera)[0] - TAU * index as f64 / 12.0;
             let apart = (apart + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
             assert!(apart.abs() < 0.02, "{apart} at {index}");
@@ -371,8 +369,7 @@ mod tests {
     fn the_whole_box_is_seen() {
         let corners = [[-1.0, -2.0, 0.0], [3.0, 1.0, 2.0]];
         for size in [[96, 80], [40, 90], [300, 20]] {
-            let orbit = Orbit::from_box(corners, size);
-            for camera in orbit.cameras(7).unwrap() {
+            for camera in Orbit::from_box(corners, size).cameras(7).unwrap() {
                 for corner in 0..8 {
                     let place = |axis: usize| corners[corner >> axis & 1][axis];
                     let offset =

@@ -15,8 +15,7 @@ fn rendered(batch: &TileBatch, value: impl Fn(i32, i32, usize) -> f32) -> Render
         }
     }
     let side = batch.side;
-    let count = batch.tiles.len();
-    RenderedTiles { side, count, data, ..RenderedTiles::default() }
+    RenderedTiles { side, count: batch.tiles.len(), data, ..RenderedTiles::default() }
 }
 
 fn gradient(x: i32, y: i32, channel: usize) -> f32 {

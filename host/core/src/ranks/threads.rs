@@ -146,14 +146,12 @@ impl Ranks for ThreadRanks {
     }
 
     fn gather(&self, mine: Vec<u8>) -> Result<Vec<Vec<u8>>> {
-        let all = self.all(vec![mine])?;
-        Ok(all.iter().map(|message| message[0].clone()).collect())
+        Ok(self.all(vec![mine])?.iter().map(|message| message[0].clone()).collect())
     }
 
     fn exchange(&self, for_each: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>> {
         assert_eq!(for_each.len(), self.size(), "something for every rank");
-        let all = self.all(for_each)?;
-        Ok(all.iter().map(|message| message[self.rank].clone()).collect())
+        Ok(self.all(for_each)?.iter().map(|message| message[self.rank].clone()).collect())
     }
 
     fn broadcast(&self, mine: Vec<u8>) -> Result<Vec<u8>> {

@@ -303,8 +303,7 @@ mod tests {
         assert!(usual.placement.is_identity());
         let usual = serde_json::to_string(&usual).unwrap();
         let offset = [512_345.25, 4_612_345.5, 312.0];
-        let meters = Some(0.3);
-        let placement = Placement { offset, scale: 0.1, meters, ..Placement::default() };
+        let placement = Placement { offset, scale: 0.1, meters: Some(0.3), ..Placement::default() };
         for (field, value, config) in [
             ("contraction", "\"cube\"", SceneConfig { contraction: Contraction::Cube, ..basic() }),
             ("antialiased", "true", SceneConfig { antialiased: true, ..basic() }),

@@ -134,8 +134,7 @@ impl Scene {
         write: impl FnOnce(&[(TensorSpec, &[f32])], &[(&str, &str)]) -> Result<T>,
     ) -> Result<T> {
         self.validate()?;
-        let config = self.config.to_json()?;
-        write(&self.tensors(), &scene_metadata(&config))
+        write(&self.tensors(), &scene_metadata(&self.config.to_json()?))
     }
 }
 

@@ -83,8 +83,7 @@ pub fn read_metadata(
     origin: &Path,
     key: &str,
 ) -> Result<Option<String>> {
-    let header = Header::read(reader, length, origin)?;
-    Ok(header.metadata(key).map(str::to_owned))
+    Ok(Header::read(reader, length, origin)?.metadata(key).map(str::to_owned))
 }
 
 /// Writes tensors and metadata to a safetensors file, atomically. The same input gives the same bytes.

@@ -62,8 +62,7 @@ fn cover_refuses_nonsense() {
         (u32::MAX, u32::MAX, 1),
         (2_000_000, 1, 1),
     ] {
-        let result = TileBatch::cover(0, width, height, side);
-        assert!(result.is_err(), "{width} x {height} by {side}");
+        assert!(TileBatch::cover(0, width, height, side).is_err(), "{width} x {height} by {side}");
     }
 }
 

@@ -104,8 +104,7 @@ impl<'a> Records<'a> {
             0 => "before its first number".to_owned(),
             _ => format!("inside {what} {current} of {count}"),
         };
-        let reason = format!("the file ends {place}; it was cut short: copy it again");
-        invalid(self.path, reason)
+        invalid(self.path, format!("the file ends {place}; it was cut short: copy it again"))
     }
 
     fn take<const N: usize>(&mut self) -> Result<[u8; N]> {

@@ -148,8 +148,7 @@ fn largest(folders: Vec<PathBuf>) -> Option<Model> {
     sized.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
     let mut sized = sized.into_iter();
     let (_, largest) = sized.next()?;
-    let others = sized.map(|(count, model)| (model.folder, count)).collect();
-    Some(Model { others, ..largest })
+    Some(Model { others: sized.map(|(count, model)| (model.folder, count)).collect(), ..largest })
 }
 
 /// The folders in a folder that have numbers as names, in their order.

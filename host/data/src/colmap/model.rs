@@ -83,8 +83,7 @@ impl Lenses {
 
     /// The model with an id, as in binary files.
     pub fn from_id(id: i32) -> Result<Self, String> {
-        let model = usize::try_from(id).ok().and_then(|id| MODELS.get(id));
-        match model {
+        match usize::try_from(id).ok().and_then(|id| MODELS.get(id)) {
             Some((name, _)) => Self::from_name(name),
             None => Err(refusal(&format!("number {id}"))),
         }

@@ -13,8 +13,7 @@ fn dataset(model: &Model, binary: bool) -> Dataset {
 
 /// The pixel position of a point in organza's camera.
 fn project(camera: &Camera, point: [f64; 3]) -> [f64; 2] {
-    let eye = camera.eye();
-    let offset = DVec3::from(point) - DVec3::from(eye);
+    let offset = DVec3::from(point) - DVec3::from(camera.eye());
     let seen = camera.axes().map(|axis| axis.dot(offset));
     [camera.fl_x * seen[0] / seen[2] + camera.cx, camera.fl_y * seen[1] / seen[2] + camera.cy]
 }
@@ -56,8 +55,7 @@ fn points_are_seen_where_colmap_sees_them() {
 #[test]
 fn binary_and_text_are_the_same() {
     let binary = dataset(&sample(), true);
-    let text = dataset(&sample(), false);
-    assert_eq!(binary, text);
+    assert_eq!(binary, dataset(&sample(), false));
     assert_eq!(binary.kind, DatasetKind::Colmap);
     let names: Vec<_> = binary.frames.iter().map(|frame| frame.name.as_str()).collect();
     assert_eq!(names, ["a.png", "b c.png", "sub/c.png"]);
@@ -119,8 +117,7 @@ fn every_model_that_is_known_is_read() {
         model.cameras =
             vec![(7, (name, id), [8, 6], values.clone()), (2, (name, id), [8, 6], values)];
         let binary = dataset(&model, true);
-        let text = dataset(&model, false);
-        assert_eq!(binary, text);
+        assert_eq!(binary, dataset(&model, false));
         let Camera { fl_x, fl_y, cx, cy, .. } = binary.frames[0].camera;
         assert_eq!([fl_x, fl_y, cx, cy], expected, "{name}");
         assert_eq!(binary.frames[0].image.all_valid(), id < 2, "{name}");
@@ -142,8 +139,7 @@ fn parameters_are_where_colmap_has_them() {
     let fisheye =
         Lens { projection: Projection::Fisheye, radial: [5.0, 6.0, 7.0, 8.0], ..Lens::default() };
     assert_eq!(lens_of("OPENCV_FISHEYE", &values(8)).unwrap(), fisheye);
-    let opencv = lens([5.0, 6.0, 0.0], [7.0, 8.0]);
-    assert_eq!(lens_of("OPENCV", &values(8)).unwrap(), opencv);
+    assert_eq!(lens_of("OPENCV", &values(8)).unwrap(), lens([5.0, 6.0, 0.0], [7.0, 8.0]));
     assert_eq!(lens_of("FISHEYE", &values(4)).unwrap().projection, Projection::Fisheye);
     assert!(lens_of("FULL_OPENCV", &values(11)).unwrap_err().contains("12 parameters, not 11"));
     assert!(lens_of("FOV", &values(5)).unwrap_err().contains("not supported"));

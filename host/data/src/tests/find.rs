@@ -38,8 +38,7 @@ fn paths_may_begin_above_the_data_set() {
 fn a_tail_has_a_folder() {
     let folder = renamed(|name| name.replace("images/", "left/"));
     fs::rename(folder.path().join("images/0.png"), folder.path().join("0.png")).unwrap();
-    let missing = folder.path().join("left/0.png");
-    assert_refused(folder.path(), &[&missing.display().to_string()]);
+    assert_refused(folder.path(), &[&folder.path().join("left/0.png").display().to_string()]);
 }
 
 #[test]
@@ -91,8 +90,7 @@ fn masked_pixels_are_not_valid() {
     let mut file = transforms(3);
     file["frames"][0]["mask_path"] = json!("elsewhere/m.png");
     let folder = nerfstudio_folder(&file);
-    let plain = load(folder.path());
-    assert_facts(plain, &["elsewhere/m.png", "no such file"]);
+    assert_facts(load(folder.path()), &["elsewhere/m.png", "no such file"]);
     half(&folder.path().join("elsewhere/m.png"), [6, 4]);
     half(&folder.path().join("masks/1.png.png"), [6, 4]);
     let dataset = load(folder.path()).unwrap();
@@ -179,8 +177,7 @@ fn masks_hide_below_half_of_their_white() {
         let size = [levels.len() as u32, 1];
         let pixel = |x: u32, _| image::LumaA(levels[x as usize]);
         image::GrayAlphaImage::from_fn(size[0], 1, pixel).save(&path).unwrap();
-        let bytes = fs::read(&path).unwrap();
-        let mask = decode::decode(&bytes, size, &path, decode::MASK).unwrap();
+        let mask = decode::decode(&fs::read(&path).unwrap(), size, &path, decode::MASK).unwrap();
         let found: String =
             masks::used(&mask, &path).map(|used| if used { '.' } else { '#' }).collect();
         assert_eq!(found, expected, "{levels:?}");

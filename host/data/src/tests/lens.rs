@@ -7,9 +7,7 @@ use super::*;
 
 fn camera([width, height]: [u32; 2], [fl_x, fl_y, cx, cy]: [f64; 4]) -> Camera {
     let camera_to_world = POSE;
-    let file_path = None;
-    let distorted = true;
-    Camera { camera_to_world, fl_x, fl_y, cx, cy, width, height, file_path, distorted }
+    Camera { camera_to_world, fl_x, fl_y, cx, cy, width, height, file_path: None, distorted: true }
 }
 
 const WIDE: ([u32; 2], [f64; 4]) = ([640, 480], [500.0, 510.0, 321.25, 238.5]);

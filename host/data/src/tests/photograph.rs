@@ -36,8 +36,7 @@ fn smaller_shot(path: PathBuf, camera: Camera, lens: Lens, factor: u32) -> Shot 
 impl Shot {
     /// Reads the frame.
     fn developed(&self) -> Result<Frame> {
-        let options = in_the_world();
-        self.develop(&options).map(|developed| developed.frame)
+        self.develop(&in_the_world()).map(|developed| developed.frame)
     }
 }
 
@@ -57,8 +56,7 @@ fn sizes_and_masks_are_checked() {
     assert_eq!(photograph.color(1, 0), [4.0 / 255.0, 5.0 / 255.0, 6.0 / 255.0]);
     let valid = Photograph::new([1, 2], pixels.clone(), Some(vec![true; 2])).unwrap();
     assert!(valid.all_valid() && valid.valid().is_none() && valid.is_valid(0, 1));
-    let facts = ["2 x 2 has 4 pixels, not 2"];
-    assert_facts(Photograph::new([2, 2], pixels.clone(), None), &facts);
+    assert_facts(Photograph::new([2, 2], pixels.clone(), None), &["2 x 2 has 4 pixels, not 2"]);
     assert_facts(Photograph::new([2, 1], pixels, Some(vec![])), &["2 pixels, not 0"]);
     let image = Image::new(3, 2).unwrap();
     assert_eq!(Photograph::from(&image), Photograph::new([3, 2], vec![[0; 3]; 6], None).unwrap());
@@ -142,8 +140,7 @@ fn downscaled_masks_are_strict() {
 fn every_depth_and_format_is_read() {
     let folder = tempfile::tempdir().unwrap();
     let develop = |path: PathBuf| {
-        let frame = shot(path, camera(5, 4), Lens::default()).developed();
-        frame.unwrap().image.pixels()[0]
+        shot(path, camera(5, 4), Lens::default()).developed().unwrap().image.pixels()[0]
     };
     let path = |name: &str| folder.path().join(name);
     image::GrayImage::from_pixel(5, 4, image::Luma([77])).save(path("gray.png")).unwrap();
@@ -229,7 +226,6 @@ fn damaged_photographs_are_named() {
     for (path, facts) in
         [(path.with_file_name("none.png"), "no such file"), (folder_path, "folder")]
     {
-        let result = shot(path, camera(40, 30), Lens::default()).developed();
-        assert_facts(result, &[facts]);
+        assert_facts(shot(path, camera(40, 30), Lens::default()).developed(), &[facts]);
     }
 }

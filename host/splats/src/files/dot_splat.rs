@@ -88,8 +88,7 @@ mod tests {
         let mut bytes: Vec<u8> = floats.iter().flat_map(|value| value.to_le_bytes()).collect();
         bytes.extend([255, 0, 51, 204, 128, 255, 128, 0]);
         let path = Path::new("a.SPLAT");
-        let filled = [&bytes[..], &[0; 64]].concat();
-        let file = super::super::read_from(&filled, path).unwrap();
+        let file = super::super::read_from(&[&bytes[..], &[0; 64]].concat(), path).unwrap();
         assert!(file.notes[0].starts_with("2 of 3 Gaussians"), "{:?}", file.notes);
         let [splat] = file.splats[..] else { panic!() };
         assert_eq!(splat.position, [1.0, -2.0, 3.5]);

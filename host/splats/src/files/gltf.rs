@@ -164,8 +164,7 @@ fn attributes(splats: &[Splat]) -> Vec<Attribute> {
         [r, g, b, sigmoid(splat.opacity)].map(|value| byte(255.0 * value))
     });
     let name = "COLOR_0".to_owned();
-    let bytes = color.collect();
-    attributes.push(Attribute { name, kind: "VEC4", component: BYTE, bytes });
+    attributes.push(Attribute { name, kind: "VEC4", component: BYTE, bytes: color.collect() });
     attributes
 }
 
@@ -483,8 +482,7 @@ mod tests {
 
     #[test]
     fn own_files_keep_the_axes_of_the_scene() {
-        let max = [0.0, 1e-5, 0.0, 0.0, 1e-6];
-        assert_close(&read_bytes(&written()).unwrap(), &splats(), max);
+        assert_close(&read_bytes(&written()).unwrap(), &splats(), [0.0, 1e-5, 0.0, 0.0, 1e-6]);
         for length in (4..written().len()).step_by(97) {
             assert_refused(&written()[..length], &[]);
         }
@@ -576,8 +574,7 @@ mod tests {
             json["meshes"][0]["primitives"][0]["extensions"][EXTENSION]["kernel"] = json!("disk");
         });
         let file = super::super::read_from(&bytes, Path::new("a.glb"));
-        let notes = file.unwrap().notes;
-        assert_eq!(notes, ["its kernel \"disk\" is unknown, and read as ellipse"]);
+        assert_eq!(file.unwrap().notes, ["its kernel \"disk\" is unknown, and read as ellipse"]);
     }
 
     #[test]

@@ -72,8 +72,7 @@ impl SplatFile {
 
     /// With the placement in the file, if it has one.
     fn placed(self, stored: Option<Placement>) -> Self {
-        let is_placed = stored.is_some();
-        Self { placement: stored.unwrap_or_default(), is_placed, ..self }
+        Self { placement: stored.unwrap_or_default(), is_placed: stored.is_some(), ..self }
     }
 
     /// With these positions. If an f32 is too short for them, they become relative to their middle.
@@ -372,8 +371,7 @@ pub mod tests {
     }
 
     pub fn read_bytes(bytes: &[u8]) -> Result<Vec<Splat>> {
-        let file = read_from(bytes, Path::new("a.file"))?;
-        file.into_own(&Placement::default())
+        read_from(bytes, Path::new("a.file"))?.into_own(&Placement::default())
     }
 
     /// Compares with largest errors: of positions, of logarithms of scales, of the first harmonic, of the others, and of

@@ -283,8 +283,7 @@ mod tests {
         splats[3].log_scale[1] = f32::NEG_INFINITY;
         write(&splats, &Placement::default(), &mut bytes).unwrap();
         splats[3].log_scale[1] = log_of(0.0);
-        let again = read_bytes(&bytes).unwrap();
-        for (found, expected) in again.iter().zip(&splats) {
+        for (found, expected) in read_bytes(&bytes).unwrap().iter().zip(&splats) {
             assert_eq!(Splat { rotation: expected.rotation, ..*found }, *expected);
             assert_eq!(found.rotation, turned(expected));
         }

@@ -136,8 +136,7 @@ fn codes<const N: usize>(values: impl Iterator<Item = [f32; N]>) -> (Vec<f32>, V
     let values: Vec<_> = values.flatten().map(|value| [value]).collect();
     let Clusters { centers, labels } = clusters(&values, CODES);
     let mut book: Vec<f32> = centers.into_iter().flatten().collect();
-    let last = book.last().copied().unwrap_or_default();
-    book.resize(CODES, last);
+    book.resize(CODES, book.last().copied().unwrap_or_default());
     let labels: Vec<u8> = labels.into_iter().map(|label| label as u8).collect();
     (book, labels.as_chunks().0.to_vec())
 }
@@ -155,8 +154,7 @@ fn harmonics<W: Write + Seek>(
     let Clusters { centers, labels } = clusters(&values, ROW * rows(splats.len()));
     let (book, codes) = codes(centers.iter().copied());
     let pixels = codes.as_flattened().as_chunks::<3>().0.to_vec();
-    let palette = [ROW * OTHERS, centers.len().div_ceil(ROW)];
-    archive.image("shN_centroids.webp", pixels, palette)?;
+    archive.image("shN_centroids.webp", pixels, [ROW * OTHERS, centers.len().div_ceil(ROW)])?;
     let labels = labels.iter().map(|label| {
         let [low, high, ..] = label.to_le_bytes();
         [low, high, 0]
@@ -241,8 +239,7 @@ impl File<'_> {
             return damaged(path, format!("{META} names no file {at}"));
         };
         let broken = |error: DecodingError| format!("{name}: {error}");
-        let bytes = self.bytes(&name)?;
-        let decoder = WebPDecoder::new(Cursor::new(bytes));
+        let decoder = WebPDecoder::new(Cursor::new(self.bytes(&name)?));
         let mut decoder = decoder.or_else(|error| damaged(path, broken(error)))?;
         let [width, height] = <[u32; 2]>::from(decoder.dimensions()).map(|side| side as usize);
         let max = MAX_PIXELS * self.length.max(64);
@@ -405,10 +402,8 @@ mod tests {
         };
         let [scales, colors, rest] = ["scales", "sh0", "shN"].map(|name| book(&meta[name]));
         assert!([&scales, &colors, &rest].iter().all(|book| book.len() == 256));
-        let mut image = |path: &str| {
-            let name = meta.pointer(path).and_then(Value::as_str).unwrap();
-            pixels(&file(name))
-        };
+        let mut image =
+            |path: &str| pixels(&file(meta.pointer(path).and_then(Value::as_str).unwrap()));
         let (low, _) = image("/means/files/0");
         let (high, _) = image("/means/files/1");
         let (quats, _) = image("/quats/files/0");
@@ -519,8 +514,7 @@ mod tests {
         assert_refused(&with(|meta| meta["quats"]["files"] = json!(["x.webp"])), &["x.webp"]);
         let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
         archive.start_file("scene.ply", SimpleFileOptions::default()).unwrap();
-        let bytes = archive.finish().unwrap().into_inner();
-        assert_refused(&bytes, &["ZIP archive", "unpack"]);
+        assert_refused(&archive.finish().unwrap().into_inner(), &["ZIP archive", "unpack"]);
         assert_refused(br#"{"version": 2, "means": {}}"#, &["unpacked .sog", "pack"]);
         assert_refused(br#"{"asset": {"version": "2.0"}, "nodes": []}"#, &[".gltf", ".glb"]);
     }

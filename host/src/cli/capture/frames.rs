@@ -185,8 +185,7 @@ impl Shape {
         let size = pair(word(line, "s:")?, 'x')?;
         let pixel = word(line, "sar:").and_then(|shape| pair(shape, '/'));
         // 0/1 is unknown
-        let pixel = pixel.filter(|pixel| !pixel.contains(&0)).unwrap_or([1, 1]);
-        Some(Self { size, pixel })
+        Some(Self { size, pixel: pixel.filter(|pixel| !pixel.contains(&0)).unwrap_or([1, 1]) })
     }
 
     /// The size with square pixels and at most `side` of them a side.

@@ -221,8 +221,7 @@ fn key(source: &Source<'_>, args: &Args) -> Result<String> {
 /// The data set in a folder, if it is whole and made from the same inputs. Another one is an error.
 fn done(folder: &Folder, key: &str) -> Result<Option<Done>> {
     let found = fs::read(folder.file(DONE)?).ok();
-    let found = found.and_then(|text| serde_json::from_slice::<Done>(&text).ok());
-    match found {
+    match found.and_then(|text| serde_json::from_slice::<Done>(&text).ok()) {
         Some(done) if done.key == key => Ok(Some(done)),
         Some(_) => refuse(format!(
             "{} holds a data set of other inputs or options; choose another folder",

@@ -119,8 +119,7 @@ pub fn command(name: &str) -> Command {
 pub fn output(command: &mut Command) -> Result<String> {
     match command.output() {
         Ok(output) => {
-            let both = [output.stdout, output.stderr].concat();
-            Ok(String::from_utf8_lossy(&both).into_owned())
+            Ok(String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned())
         }
         Err(error) => refuse(format!("cannot run {}: {error}", command.get_program().display())),
     }
@@ -278,8 +277,7 @@ fn end(child: &mut Child) {
 fn read_lines(stream: impl Read + Send + 'static, sender: Sender<String>) {
     thread::spawn(move || {
         for line in BufReader::new(stream).split(b'\n').map_while(std::result::Result::ok) {
-            let line = String::from_utf8_lossy(&line).into_owned();
-            if sender.send(line).is_err() {
+            if sender.send(String::from_utf8_lossy(&line).into_owned()).is_err() {
                 break;
             }
         }

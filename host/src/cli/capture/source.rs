@@ -41,8 +41,7 @@ impl<'a> Source<'a> {
     /// The video or the photographs that the user names.
     pub fn find(inputs: &'a [PathBuf], console: Console) -> Result<Self> {
         if let [path] = inputs {
-            let found = fs::metadata(path).map_err(|source| Error::read(path, source))?;
-            if found.is_dir() {
+            if fs::metadata(path).map_err(|source| Error::read(path, source))?.is_dir() {
                 return Self::folder(path, console);
             }
             if !is_photograph(path) {
@@ -139,8 +138,7 @@ impl<'a> Source<'a> {
         }
         let read = |(path, name): (PathBuf, String)| {
             let bytes = read_file(&path, u64::MAX, "a photograph")?;
-            let digest = format!("{:x}", Sha256::digest(bytes));
-            Ok(Photograph { path, name, digest })
+            Ok(Photograph { path, name, digest: format!("{:x}", Sha256::digest(bytes)) })
         };
         let mut photographs = files.into_iter().map(read).collect::<Result<Vec<_>>>()?;
         sort_naturally(&mut photographs, |photograph| photograph.name.clone());

@@ -56,8 +56,7 @@ impl FilmKind {
                 "an MP4 needs an even width and an even height, not {width}x{height}; give another `--size`"
             ));
         }
-        let found = Command::new("ffmpeg").arg("-version").stdin(Stdio::null()).output();
-        match found {
+        match Command::new("ffmpeg").arg("-version").stdin(Stdio::null()).output() {
             Ok(_) => Ok(()),
             Err(error) if error.kind() == io::ErrorKind::NotFound => refuse(
                 "an MP4 needs the program ffmpeg, which is not installed; install it, or write an animated PNG \

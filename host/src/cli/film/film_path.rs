@@ -43,8 +43,7 @@ impl PathArgs {
         let is_between = named.is_some() || self.views.is_some() || self.is_closed;
         if !is_between && !data.is_given() && source.settings()?.is_none() {
             let size = self.size.unwrap_or(Orbit::SIZE);
-            let orbit = Orbit::from_box(scene.visible_box(), size);
-            return Ok((orbit.cameras(frames)?, None));
+            return Ok((Orbit::from_box(scene.visible_box(), size).cameras(frames)?, None));
         }
         let cameras = Cameras::load(source, named, data, console)?;
         let size = |camera: &Camera| self.size.unwrap_or_else(|| default_size(camera, is_even));

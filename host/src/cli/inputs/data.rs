@@ -397,8 +397,7 @@ impl DataSet {
             }
             None => {
                 let cameras = built_in::cameras(&self.settings).into_iter().map(|pose| pose.camera);
-                let source = PhotographSource::BuiltIn(cameras.collect());
-                (Photographs::new(source), Vec::new())
+                (Photographs::new(PhotographSource::BuiltIn(cameras.collect())), Vec::new())
             }
         }
     }

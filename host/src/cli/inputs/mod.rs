@@ -67,8 +67,7 @@ impl SceneSource {
                  folder that training wrote to. `organza capture` makes a data set of photographs"
             )
         };
-        let error = Error::Invalid { origin: path.to_owned(), reason };
-        Err(told_apart(error, path, FileKind::Scene))
+        Err(told_apart(Error::Invalid { origin: path.to_owned(), reason }, path, FileKind::Scene))
     }
 
     /// The blocks of a split in a folder of their runs, the first of which stands for all; `None` for every other path.

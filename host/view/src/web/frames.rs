@@ -150,6 +150,5 @@ pub fn kernels_of(frames: &[Value]) -> Result<Vec<Value>> {
         let access: Vec<_> = access.collect();
         Ok(json!({ "name": info.name, "access": access, "code": code }))
     };
-    let used = muslin::kernels().filter(|info| names.contains(info.name));
-    used.map(kernel).collect()
+    muslin::kernels().filter(|info| names.contains(info.name)).map(kernel).collect()
 }

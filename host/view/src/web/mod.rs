@@ -93,8 +93,7 @@ impl WebPage {
             "kernels": kernels,
             "plans": frames,
         });
-        let payload = pack(&header, &buffers);
-        Ok(Self { title: options.title.clone(), payload, poster })
+        Ok(Self { title: options.title.clone(), payload: pack(&header, &buffers), poster })
     }
 
     /// The whole page as one file.
@@ -139,8 +138,7 @@ impl WebPage {
 fn fill_occupancy(buffers: &mut [PlannedBuffer], scene: &DeviceScene) -> Result<()> {
     let grids = buffers.iter_mut().filter(|buffer| buffer.label == OCCUPANCY);
     for (buffer, scene) in grids.zip(scene.all()) {
-        let occupancy = scene.device().read(scene.occupancy())?;
-        let mut contents = bytemuck::cast_slice(&occupancy).to_vec();
+        let mut contents = bytemuck::cast_slice(&scene.device().read(scene.occupancy())?).to_vec();
         contents.resize(buffer.bytes as usize, 0);
         buffer.contents = Some(contents);
     }
@@ -167,8 +165,7 @@ impl Tour {
         };
         // a box without size has no outside, and cameras right above their center have no orbit
         let mut measured = orbit.cameras(ORBIT).unwrap_or_default();
-        let every = cameras.len().div_ceil(VIEWS).max(1);
-        measured.extend(cameras.iter().step_by(every).cloned());
+        measured.extend(cameras.iter().step_by(cameras.len().div_ceil(VIEWS).max(1)).cloned());
         let mut way = match cameras {
             [] => orbit.cameras(PLACES),
             _ => Orbit::among(cameras, PLACES),

@@ -524,11 +524,8 @@ fn training_captures_first() {
     write_model(&sandbox, "found-1/0", &walk(photos(12).take(5)), 0.7, 6);
     sandbox.copy_file("photos/00.png", "photos/zz.png");
     let poor = organza(&sandbox, "train photos -o poor --steps 2 --backend cpu");
-    poor.assert_refused(&[
-        "not worth training",
-        "mend the capture",
-        "`organza train poor/data -o NEW`",
-    ]);
+    let facts = ["not worth training", "mend the capture", "`organza train poor/data -o NEW`"];
+    poor.assert_refused(&facts);
     poor.says(&["5 of 13 images have a pose", "no pose: "]).says_not(&["next"]);
     assert!(!sandbox.path("poor/config.toml").exists());
 }

@@ -72,11 +72,8 @@ mod memory {
         let mut file = File::create(&path).unwrap();
         file.write_all(&header).unwrap();
         file.set_len(header.len() as u64 + length).unwrap();
-        sandbox.run_within(LIMIT, "info scene.safetensors").assert_refused(&[
-            "out of memory",
-            "the scene needs 2.42 GiB",
-            "are available",
-        ]);
+        let facts = ["out of memory", "the scene needs 2.42 GiB", "are available"];
+        sandbox.run_within(LIMIT, "info scene.safetensors").assert_refused(&facts);
     }
 
     /// The header of a scene's file with another number of Gaussians, and the length of the data that it announces.

@@ -22,11 +22,8 @@ fn all_formats_have_the_same_triangles_in_the_scene() {
     let sandbox = sandbox();
     let words = "mesh built-in.safetensors around.json --size 32 --faces 900 --backend cpu";
     for file in ["a.obj", "a.ply", "a.glb"] {
-        sandbox.run(&format!("{words} -o {file}")).assert_ok().says(&[
-            "triangles",
-            file,
-            "of memory",
-        ]);
+        let facts = ["triangles", file, "of memory"];
+        sandbox.run(&format!("{words} -o {file}")).assert_ok().says(&facts);
     }
     let text = fs::read_to_string(sandbox.path("a.obj")).expect("a file");
     let of_kind = |kind: &'static str| {

@@ -127,9 +127,7 @@ fn folder(path: &Path) -> Result<Folder> {
     refuse_run(path)?;
     let folder = Folder::make(path)?;
     let has = |name: &&str| folder.join(name).exists();
-    let Some(name) = WebPage::FILES.iter().find(|name| has(name)) else {
-        return Ok(folder);
-    };
+    let Some(name) = WebPage::FILES.iter().find(|name| has(name)) else { return Ok(folder) };
     match fs::read_to_string(folder.join(WebPage::FILES[0])) {
         Ok(text) if is_own(&text) => Ok(folder),
         _ => refuse(format!(

@@ -113,11 +113,8 @@ fn a_second_training_in_the_same_folder_is_refused() {
     let mut of_two = sandbox.command(&format!("{TINY} run"));
     let of_two = of_two.env("OMPI_COMM_WORLD_SIZE", "2").output().expect("the program starts");
     let [_, writes, holder] = facts;
-    Outcome::from(of_two).assert_refused(&[
-        writes,
-        holder,
-        "With `--ranks mpi`, the processes share",
-    ]);
+    let facts = [writes, holder, "With `--ranks mpi`, the processes share"];
+    Outcome::from(of_two).assert_refused(&facts);
     assert!(first.try_wait().unwrap().is_none(), "the first goes on");
     first.kill().unwrap();
     first.wait().unwrap();

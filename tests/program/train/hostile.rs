@@ -93,12 +93,8 @@ fn decoding_has_a_budget() {
     let frame = sandbox.read_json("data/transforms.json")["frames"][0].clone();
     sandbox.edit_json("data/transforms.json", "/frames", json!([frame]));
     let train = format!("{TRAIN} --downscale 50 --hold-out-every 0");
-    sandbox.run_within(500_000, &train).assert_refused(&[
-        "out of memory",
-        "decoding",
-        "8000 x 6000",
-        "are available",
-    ]);
+    let facts = ["out of memory", "decoding", "8000 x 6000", "are available"];
+    sandbox.run_within(500_000, &train).assert_refused(&facts);
     sandbox.run(&train).assert_ok();
 }
 

@@ -32,11 +32,8 @@ fn a_contracted_scene_learns_and_info_names_the_contraction() {
     assert!(found.len() == 2 && found[1].1 > found[0].1 + 0.5, "{found:?}");
     let info = sandbox.run("info run").assert_ok().stdout;
     assert!(info.contains("outside the box        contracted to the unit cube"), "{info}");
-    sandbox.run(&format!("{TINY} other --set scene.contraction=sphere")).assert_refused(&[
-        "scene.contraction",
-        "sphere",
-        "`none` or `cube`",
-    ]);
+    let facts = ["scene.contraction", "sphere", "`none` or `cube`"];
+    sandbox.assert_refuses(&format!("{TINY} other --set scene.contraction=sphere"), &facts);
 }
 
 /// The page's module has tests of its content.

@@ -365,18 +365,13 @@ fn a_page_that_was_copied_in_part_says_so() {
 fn a_page_replaces_no_other() {
     let sandbox = Sandbox::new("tiny");
     sandbox.write("site/index.html", "<h1>mine</h1>");
-    sandbox.run("export-web scene.safetensors -o site").assert_refused(&[
-        "site",
-        "index.html",
-        "choose another folder",
-    ]);
-    sandbox
-        .run("export-web scene.safetensors -o scene.safetensors --single-file")
-        .assert_refused(&["would replace the input"]);
+    let facts = ["site", "index.html", "choose another folder"];
+    sandbox.assert_refuses("export-web scene.safetensors -o site", &facts);
+    let words = "export-web scene.safetensors -o scene.safetensors --single-file";
+    sandbox.assert_refuses(words, &["would replace the input"]);
     sandbox.write("run/config.toml", "");
-    sandbox
-        .run("export-web scene.safetensors -o run")
-        .assert_refused(&["run holds a training run", "choose another folder"]);
+    let facts = ["run holds a training run", "choose another folder"];
+    sandbox.assert_refuses("export-web scene.safetensors -o run", &facts);
     // a page of its own may
     let bytes_of_scene = |options: &str| {
         let words = format!("export-web scene.safetensors -o page --size 64x48 {options}");

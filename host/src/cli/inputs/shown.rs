@@ -53,10 +53,7 @@ impl Shown {
 
     /// Fails if there are several scenes, of which none can be edited.
     pub fn require_one(&self) -> Result<()> {
-        match self.beside.is_empty() {
-            true => Ok(()),
-            false => refuse("`--edit` takes one scene"),
-        }
+        if self.beside.is_empty() { Ok(()) } else { refuse("`--edit` takes one scene") }
     }
 
     /// Reads all scenes, in their order.

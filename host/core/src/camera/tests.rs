@@ -62,6 +62,24 @@ fn another_size_shows_the_same_and_more() {
     assert_eq!((high.width, high.height), (48, 80));
 }
 
+/// The cameras of the cases look at the origin, so it lies on the optical axis at their distance.
+#[test]
+fn case_cameras_see_the_origin() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/cases");
+    for case in ["basic", "crowded", "narrow", "tiny", "wide"] {
+        let cameras = Camera::load_all(cases.join(case).join("cameras.json")).unwrap();
+        assert_eq!(cameras.len(), 2);
+        for camera in cameras {
+            assert!(!camera.distorted);
+            let eye = camera.eye();
+            let seen = camera.axes().map(|axis| -axis.dot(eye.into()));
+            let distance = DVec3::from(eye).length();
+            assert!(seen[0].abs() < 1e-12 && seen[1].abs() < 1e-12, "{seen:?}");
+            assert!((seen[2] - distance).abs() < 1e-12, "{seen:?}");
+        }
+    }
+}
+
 #[test]
 fn look_at_agrees_with_the_case() {
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/cases/tiny/cameras.json");

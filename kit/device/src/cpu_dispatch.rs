@@ -67,7 +67,9 @@ impl Launch<'_> {
         };
         let is_watched = self.is_checked || cfg!(debug_assertions);
         match run {
-            CpuRun::Lanes(_) => unreachable!("`run_of` has chosen an instruction set"),
+            CpuRun::Lanes(_) | CpuRun::LaneRegions(..) => {
+                unreachable!("`run_of` has chosen an instruction set")
+            }
             CpuRun::Workgroup(run) => {
                 let run = |part| {
                     // SAFETY: the bindings come from the typed dispatch, and kernels do not write to the same
@@ -182,8 +184,7 @@ impl Cpu {
                 Some(run) => CpuRun::Invocation(run),
                 None => unreachable!("`entry_point` has looked"),
             },
-            CpuRun::Lanes(runs) => CpuRun::Workgroup(runs.get(self.instruction_set())),
-            run => run,
+            run => run.with(self.instruction_set()),
         }
     }
 

@@ -93,6 +93,16 @@ impl Invocation {
         self.local.x + self.size.x * (self.local.y + self.size.y * self.local.z)
     }
 
+    /// Whether it and its neighbors along x, `count` of them, are all among the `items` of a kernel with `lanes(items)`.
+    #[doc(hidden)]
+    #[cfg(not(target_arch = "spirv"))]
+    #[inline(always)]
+    pub fn are_among(&self, count: u32, items: u32) -> bool {
+        let is_line = self.size.y == 1 && self.size.z == 1;
+        let at = if is_line { self.index() } else { self.global().x };
+        items >= count && at <= items - count
+    }
+
     /// Waits for the whole workgroup. Afterwards, everything that it wrote to workgroup memory is visible. What it wrote to storage
     /// buffers is not: see [`storage_barrier`](Self::storage_barrier).
     #[inline(always)]

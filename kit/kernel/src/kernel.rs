@@ -209,15 +209,30 @@ pub enum CpuRun {
     /// Runs a workgroup region by region; and one invocation, like `Invocation`.
     Regions(RegionRuns, InvocationRun),
     /// Like `Workgroup`, for each instruction set.
-    Lanes(LaneRuns),
+    Lanes(LaneRuns<WorkgroupRun>),
+    /// Like `Regions`, for each instruction set: where nothing is watched, and where something is.
+    LaneRegions([LaneRuns<RegionsRun>; 2], InvocationRun),
 }
 
 impl CpuRun {
     /// The run of one invocation, if invocations wait for each other.
     pub const fn waiting(self) -> Option<InvocationRun> {
         match self {
-            Self::Invocation(run) | Self::Regions(_, run) => Some(run),
+            Self::Invocation(run) | Self::Regions(_, run) | Self::LaneRegions(_, run) => Some(run),
             Self::Workgroup(_) | Self::Lanes(_) => None,
+        }
+    }
+
+    /// The run of an instruction set, which must be [available](InstructionSet::is_available).
+    #[must_use]
+    pub const fn with(self, set: InstructionSet) -> Self {
+        match self {
+            Self::Lanes(runs) => Self::Workgroup(runs.get(set)),
+            Self::LaneRegions([plain, watched], run) => {
+                let runs = RegionRuns { plain: plain.get(set), watched: watched.get(set) };
+                Self::Regions(runs, run)
+            }
+            run => run,
         }
     }
 }
@@ -233,18 +248,18 @@ pub type WorkgroupRun = unsafe fn(&[CpuBinding], UVec3, UVec3, [UVec3; 2]);
 
 /// A kernel that is generic over [`Lane`](crate::lane::Lane), compiled for each instruction set.
 #[derive(Clone, Copy)]
-pub struct LaneRuns {
-    runs: [WorkgroupRun; InstructionSet::ALL.len()],
+pub struct LaneRuns<R> {
+    runs: [R; InstructionSet::ALL.len()],
 }
 
-impl LaneRuns {
+impl<R: Copy> LaneRuns<R> {
     /// The runs, in the order of [`InstructionSet::ALL`].
-    pub const fn new(runs: [WorkgroupRun; InstructionSet::ALL.len()]) -> Self {
+    pub const fn new(runs: [R; InstructionSet::ALL.len()]) -> Self {
         Self { runs }
     }
 
     /// The run of an instruction set, which must be [available](InstructionSet::is_available).
-    pub const fn get(&self, set: InstructionSet) -> WorkgroupRun {
+    pub const fn get(&self, set: InstructionSet) -> R {
         self.runs[set as usize]
     }
 }
@@ -305,30 +320,34 @@ impl InstructionSet {
 }
 
 /// Compiles a function that is generic over lanes for each instruction set. If it is also generic over samples, these are as many
-/// [`Vectors`](crate::samples::Vectors) as the registers hold four sums of, and their terms.
+/// [`Vectors`](crate::samples::Vectors) as the registers hold four sums of, and their terms. `$more` is its last generic argument.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! lane_runs {
-    ($run:ident $(, $vectors:ident)?) => {{
+    ($run:ident $parameters:tt -> $result:ty $(, $vectors:ident)? $(; $more:block)?) => {{
         use $crate::lane::Wide;
         $(use $crate::samples::$vectors;)?
-        $crate::kernel::lane_run!(scalar: $run, Wide<1, false> $(, $vectors<1, false, 1>)?);
-        $crate::kernel::lane_run!(plain: $run, Wide<8, false> $(, $vectors<8, false, 1>)?);
+        $crate::kernel::lane_run! {
+            scalar $parameters -> $result: $run[Wide<1, false> $(, $vectors<1, false, 1>)? $(, $more)?]
+        }
+        $crate::kernel::lane_run! {
+            plain $parameters -> $result: $run[Wide<8, false> $(, $vectors<8, false, 1>)? $(, $more)?]
+        }
         #[cfg(target_arch = "x86_64")]
         $crate::kernel::lane_run! {
             #[target_feature(enable = "avx2,fma")]
-            avx2: $run, Wide<8, true> $(, $vectors<8, true, 2>)?
+            avx2 $parameters -> $result: $run[Wide<8, true> $(, $vectors<8, true, 2>)? $(, $more)?]
         }
         #[cfg(target_arch = "x86_64")]
         $crate::kernel::lane_run! {
             #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
-            avx512: $run, Wide<16, true> $(, $vectors<16, true, 4>)?
+            avx512 $parameters -> $result: $run[Wide<16, true> $(, $vectors<16, true, 4>)? $(, $more)?]
         }
         #[cfg(target_arch = "x86_64")]
         let runs = $crate::kernel::LaneRuns::new([scalar, plain, avx2, avx512]);
         #[cfg(not(target_arch = "x86_64"))]
         let runs = $crate::kernel::LaneRuns::new([scalar, plain, plain, plain]);
-        $crate::kernel::CpuRun::Lanes(runs)
+        runs
     }};
 }
 pub use crate::lane_runs;
@@ -337,17 +356,12 @@ pub use crate::lane_runs;
 #[doc(hidden)]
 #[macro_export]
 macro_rules! lane_run {
-    ($(#[$attribute:meta])* $name:ident: $run:ident, $($lanes:ty),+) => {
+    ($(#[$attribute:meta])* $name:ident($($parameter:ident: $ty:ty),*) -> $result:ty: $run:ident[$($generics:tt)*]) => {
         // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::get`
         $(#[$attribute])*
-        unsafe fn $name(
-            bindings: &[$crate::kernel::CpuBinding],
-            workgroup: $crate::dependencies::glam::UVec3,
-            workgroups: $crate::dependencies::glam::UVec3,
-            part: [$crate::dependencies::glam::UVec3; 2],
-        ) {
+        unsafe fn $name($($parameter: $ty),*) -> $result {
             // SAFETY: the caller's
-            unsafe { $run::<$($lanes),+>(bindings, workgroup, workgroups, part) }
+            unsafe { $run::<$($generics)*>($($parameter),*) }
         }
     };
 }

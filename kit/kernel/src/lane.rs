@@ -2,7 +2,8 @@
 //!
 //! A kernel declared with `lanes(samples)` is generic over [`Lane`]. A GPU runs it with `f32`: an invocation already
 //! is a lane. The CPU runs it with [`Wide`]: as many invocations along x at once as its registers hold. The rest runs
-//! with one lane of the same arithmetic, so no result depends on the end of a group of lanes.
+//! with one lane of the same arithmetic, so no result depends on the end of a group of lanes. A workgroup with barriers runs with one kind of
+//! lanes as a whole.
 //!
 //! With plain `lanes`, the CPU makes one call per invocation, which uses the lanes for a loop of its own, and
 //! [`Lane::One`] for the loop's rest. [`Lane::sum`] has another order for each width, so such a kernel can round
@@ -18,7 +19,7 @@ use crate::atomic::AtomicBuffer;
 use crate::atomic::{self, SumWord};
 use crate::fixed;
 use crate::half::normal_half_value;
-use crate::memory::{Read, Write};
+use crate::memory::{Read, Shared, Write};
 #[cfg(target_arch = "spirv")]
 use crate::memory::{ReadBuffer, WriteBuffer};
 
@@ -94,14 +95,24 @@ pub trait Lane:
     fn read(buffer: Read<f32>, first: u32) -> Self;
     /// Reads consecutive values, starting at `first`, from a buffer that is also written.
     fn read_written(buffer: Write<f32>, first: u32) -> Self;
+    /// Reads consecutive values, starting at `first`. Those at `end` and behind are not read: they are 0.
+    fn read_below(buffer: Read<f32>, first: u32, end: u32) -> Self;
+    /// Reads consecutive values of workgroup memory, starting at `first`.
+    fn read_shared<const LEN: usize>(values: Shared<f32, LEN>, first: u32) -> Self;
     /// Reads values at arbitrary indices.
     fn gather(buffer: Read<f32>, at: Self::Index) -> Self;
+    /// Reads values of workgroup memory at arbitrary indices.
+    fn gather_shared<const LEN: usize>(values: Shared<f32, LEN>, at: Self::Index) -> Self;
     /// Reads two consecutive values each at arbitrary indices.
     fn gather_two(buffer: Read<f32>, at: Self::Index) -> [Self; 2];
     /// Reads words at arbitrary indices, each with two [16-bit floats](crate::half::normal_half_value), the lower one first.
     fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2];
     /// Stores consecutive values, starting at `first`.
     fn write(self, buffer: Write<f32>, first: u32);
+    /// Stores consecutive values in workgroup memory, starting at `first`.
+    fn write_shared<const LEN: usize>(self, values: Shared<f32, LEN>, first: u32);
+    /// Like [`Lane::write_shared`], but for what would lie at `end` or behind.
+    fn write_shared_below<const LEN: usize>(self, values: Shared<f32, LEN>, first: u32, end: u32);
     /// Adds the values to the [fixed-point](crate::fixed) sums at `at`, in lanes where the mask holds: see
     /// [`atomic::add_wide`].
     fn add_fixed(self, mask: Self::Mask, sum: Write<impl SumWord>, at: Self::Index);
@@ -255,8 +266,23 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
+    fn read_below(buffer: Read<f32>, first: u32, end: u32) -> Self {
+        if first < end { buffer.read(first) } else { 0.0 }
+    }
+
+    #[inline(always)]
+    fn read_shared<const LEN: usize>(values: Shared<f32, LEN>, first: u32) -> Self {
+        values.read(first)
+    }
+
+    #[inline(always)]
     fn gather(buffer: Read<f32>, at: u32) -> Self {
         buffer.read(at)
+    }
+
+    #[inline(always)]
+    fn gather_shared<const LEN: usize>(values: Shared<f32, LEN>, at: u32) -> Self {
+        values.read(at)
     }
 
     #[inline(always)]
@@ -273,6 +299,18 @@ impl Lane for f32 {
     #[inline(always)]
     fn write(self, buffer: Write<f32>, first: u32) {
         buffer.write(first, self);
+    }
+
+    #[inline(always)]
+    fn write_shared<const LEN: usize>(self, values: Shared<f32, LEN>, first: u32) {
+        values.write(first, self);
+    }
+
+    #[inline(always)]
+    fn write_shared_below<const LEN: usize>(self, values: Shared<f32, LEN>, first: u32, end: u32) {
+        if first < end {
+            values.write(first, self);
+        }
     }
 
     #[inline(always)]

@@ -45,6 +45,7 @@ use glam::UVec3;
 use crate::binding::{CpuBinding, SharedInfo};
 use crate::conflict;
 use crate::invocation::Invocation;
+use crate::lane::Lane;
 use crate::memory::{AccessMonitor, Shared};
 use crate::phase;
 use crate::running::{self, unlinear};
@@ -217,12 +218,23 @@ impl Regions<'_> {
         if PLAIN { None } else { self.watches.get(array).map(|watch| watch as &dyn AccessMonitor) }
     }
 
-    /// The first and the end of the steps of a region that does something for a part of the `count` invocations. In an order of their own, all
-    /// have a step.
+    /// Whether all invocations run in lanes, which takes that they are below a kernel's number of `items`. In an order of their own, they do not.
     #[inline(always)]
-    pub fn steps<const PLAIN: bool>(&self, [begin, end]: [u32; 2], count: u32) -> [u32; 2] {
+    pub fn fill_lanes(&self, first: &Invocation, items: u32) -> bool {
+        self.order.is_none() && first.are_among(first.size.x, items)
+    }
+
+    /// The first and the end of the steps of a region that does something for a part of the `count` invocations, of which `width` take a step
+    /// together. In an order of their own, all have a step.
+    #[inline(always)]
+    pub fn steps<const PLAIN: bool>(
+        &self,
+        width: u32,
+        [begin, end]: [u32; 2],
+        count: u32,
+    ) -> [u32; 2] {
         if PLAIN || self.order.is_none() {
-            [begin, if end < count { end } else { count }]
+            [begin - begin % width, if end < count { end } else { count }]
         } else {
             [0, count]
         }
@@ -335,20 +347,22 @@ impl<const PLAIN: bool> Drop for Entered<PLAIN> {
     }
 }
 
-/// A variable of each of `N` invocations. Larger ones than a vector are on the heap, so that the stack is large enough for all.
-pub struct PerInvocation<T, const N: usize> {
-    vectors: UnsafeCell<MaybeUninit<[Vector; N]>>,
+/// A variable of each of `N` invocations, which run in lanes `L`: several have one value then. Larger ones than a vector of each invocation are
+/// on the heap, so that the stack is large enough for all.
+pub struct PerInvocation<T, const N: usize, L> {
+    vectors: UnsafeCell<MaybeUninit<Vectors<N>>>,
     heap: Option<Box<[UnsafeCell<MaybeUninit<T>>]>>,
+    lanes: PhantomData<L>,
 }
 
-/// Memory for four numbers.
-#[repr(align(16))]
+/// Memory for four numbers of each invocation, where vectors lie in one line of a cache.
+#[repr(align(64))]
 #[derive(Clone, Copy)]
-struct Vector(#[expect(dead_code, reason = "it is memory")] [u8; 16]);
+struct Vectors<const N: usize>([[u8; 16]; N]);
 
-impl<T, const N: usize> PerInvocation<T, N> {
+impl<T, const N: usize, L: Lane> PerInvocation<T, N, L> {
     const IS_VECTOR: bool =
-        size_of::<T>() <= size_of::<Vector>() && align_of::<T>() <= align_of::<Vector>();
+        size_of::<T>() <= 16 * L::WIDTH as usize && align_of::<T>() <= align_of::<Vectors<N>>();
 
     /// Without values.
     #[inline(always)]
@@ -362,7 +376,7 @@ impl<T, const N: usize> PerInvocation<T, N> {
         }
         let uninit = || UnsafeCell::new(MaybeUninit::uninit());
         let heap = if Self::IS_VECTOR { None } else { Some((0..N).map(|_| uninit()).collect()) };
-        Self { vectors: UnsafeCell::new(MaybeUninit::uninit()), heap }
+        Self { vectors: UnsafeCell::new(MaybeUninit::uninit()), heap, lanes: PhantomData }
     }
 
     #[inline(always)]
@@ -371,7 +385,7 @@ impl<T, const N: usize> PerInvocation<T, N> {
             Some(heap) if !Self::IS_VECTOR => heap.as_ptr().cast_mut().cast::<T>(),
             _ => self.vectors.get().cast::<T>(),
         };
-        first.wrapping_add(index as usize)
+        first.wrapping_add((index / L::WIDTH) as usize)
     }
 
     /// The value of an invocation, which then has none.
@@ -445,10 +459,10 @@ impl<const N: usize> Votes<N> {
         Self([false; N])
     }
 
-    /// An invocation votes.
+    /// An invocation votes, for as many as run with it.
     #[inline(always)]
-    pub const fn set(&mut self, index: u32, vote: bool) {
-        self.0[index as usize] = vote;
+    pub fn set(&mut self, index: u32, width: u32, vote: bool) {
+        self.0[index as usize..][..width as usize].fill(vote);
     }
 
     /// What all have voted.

@@ -4,7 +4,7 @@ use muslin_check::prelude::*;
 use muslin_language_kernels::language::{
     AS_WRITTEN_ROWS, AsWrittenInputs, BYTES, ByteHistogramInputs, COMPARED_ROWS, ComparedInputs,
     KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, RowParams, ScanAndShuffleInputs,
-    SortParams, SortRowsInputs,
+    SharesInputs, SortParams, SortRowsInputs,
 };
 
 case!(pub ByteHistogram(ByteHistogramInputs));
@@ -26,6 +26,24 @@ impl Parity for ByteHistogram {
             Some(high) => self.halves.iter().map(byte).filter(|byte| *byte == high).count(),
         };
         Some(Rounded::exact(count as f64))
+    }
+}
+
+case!(pub Shares(SharesInputs));
+
+impl Parity for Shares {
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, _, random| {
+            let values = random.values(count as usize, 0.1, 1.0);
+            let shares = unwritten(values.len());
+            Self(SharesInputs { params: LanguageParams { count }, values, shares })
+        })
+    }
+
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
+        let all = self.values.chunks(64).nth(index / 64)?;
+        let sum = Rounded::sum(all.iter().map(|value| Rounded::from(*value)));
+        Some(Rounded::from(self.values[index]) / sum)
     }
 }
 

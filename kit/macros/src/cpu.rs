@@ -13,22 +13,37 @@ pub fn cpu_run(kernel: &Kernel, has_regions: bool) -> TokenStream {
     let name = &kernel.function.sig.ident;
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     if kernel.waits() {
-        let run = invocation_run(kernel, false, &hygienic!(self::#name(id, #(#names),*)));
+        let lane = one_lane(kernel);
+        let run = invocation_run(kernel, false, &hygienic!(self::#name #lane (id, #(#names),*)));
         let regions = regions::name(kernel);
-        let run = match has_regions {
-            true => hygienic! {
+        // debug builds watch always
+        let [plain, watched] = [hygienic!({ !::muslin::kernel::IS_CHECKED }), hygienic!({ false })];
+        let run = match (has_regions, &kernel.lanes) {
+            (false, _) => hygienic!(Invocation(#run)),
+            (true, None) => hygienic! {
                 Regions(
                     ::muslin::kernel::RegionRuns {
-                        // debug builds watch always
-                        plain: self::#regions::<{ !::muslin::kernel::IS_CHECKED }>,
-                        watched: self::#regions::<false>,
+                        plain: self::#regions::<#plain>,
+                        watched: self::#regions::<#watched>,
                     },
                     #run,
                 )
             },
-            false => hygienic!(Invocation(#run)),
+            (true, Some(_)) => {
+                let runs = [plain, watched].map(|plain| {
+                    hygienic! {
+                        ::muslin::kernel::lane_runs!(#regions(
+                            regions: &::muslin::regions::Regions,
+                            bindings: &[::muslin::kernel::CpuBinding]
+                        ) -> ::core::result::Result<(), ::muslin::regions::Failure>; #plain)
+                    }
+                });
+                hygienic!(LaneRegions([#(#runs),*], #run))
+            }
         };
+        let whole = whole(kernel);
         return hygienic! {
+            #whole
             const fn run() -> ::muslin::kernel::CpuRun { ::muslin::kernel::CpuRun::#run }
         };
     }
@@ -46,6 +61,11 @@ pub fn cpu_run(kernel: &Kernel, has_regions: bool) -> TokenStream {
         unsafe fn run_workgroup #body
         const fn run() -> ::muslin::kernel::CpuRun { ::muslin::kernel::CpuRun::Workgroup(run_workgroup) }
     }
+}
+
+/// The argument for a kernel that is generic over lanes, where it runs with one.
+fn one_lane(kernel: &Kernel) -> Option<TokenStream> {
+    kernel.lanes.is_some().then(|| hygienic!(::<::muslin::lane::Wide<1, false>>))
 }
 
 /// A function that runs one invocation, of the kernel or of its variant, by a call.
@@ -108,7 +128,7 @@ pub fn with_other_arithmetic(kernel: &Kernel) -> [Option<syn::ItemFn>; 2] {
 pub fn run_arithmetic(kernel: &Kernel) -> TokenStream {
     let none = hygienic!(::core::option::Option::None);
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
-    let lane = kernel.lanes.is_some().then(|| hygienic!(::<::muslin::lane::Wide<1, false>>));
+    let lane = one_lane(kernel);
     let runs = with_other_arithmetic(kernel).map(|function| {
         let Some(name) = function.map(|function| function.sig.ident) else { return none.clone() };
         let run = invocation_run(kernel, false, &hygienic!(self::#name #lane (id, #(#names),*)));
@@ -170,12 +190,11 @@ fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> Toke
 fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStream {
     let name = &kernel.function.sig.ident;
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
-    let [x, y, z] = &kernel.threads;
     let uniform = kernel.uniform().map(|parameter| &parameter.name);
     // several vectors of lanes, while there are as many samples
     let more = kernel.samples.then(|| {
         hygienic! {
-            if part_items >= S::WIDTH && part_at <= part_items - S::WIDTH {
+            if id.are_among(S::WIDTH, part_items) {
                 self::#name::<S>(id, #(#names),*);
                 local_x += S::WIDTH;
             } else
@@ -186,39 +205,45 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
             self::#name::<L>(id, #(#names),*);
             local_x += 1;
         },
-        Lanes::Invocations(end) => {
-            let at = hygienic!(if #y == 1 && #z == 1 { id.index() } else { id.global().x });
-            hygienic! {
-                let part_items: u32 = #uniform.#end;
-                let part_at = #at;
-                #more if part_items >= L::WIDTH && part_at <= part_items - L::WIDTH {
-                    self::#name::<L>(id, #(#names),*);
-                    local_x += L::WIDTH;
-                } else {
-                    // what is left over, lane by lane
-                    self::#name::<L::One>(id, #(#names),*);
-                    local_x += 1;
-                }
+        Lanes::Invocations(end) => hygienic! {
+            let part_items: u32 = #uniform.#end;
+            #more if id.are_among(L::WIDTH, part_items) {
+                self::#name::<L>(id, #(#names),*);
+                local_x += L::WIDTH;
+            } else {
+                // what is left over, lane by lane
+                self::#name::<L::One>(id, #(#names),*);
+                local_x += 1;
             }
-        }
-    };
-    let max = if kernel.samples { hygienic!(samples) } else { hygienic!(lane) };
-    let whole = match lanes {
-        Lanes::Inside => hygienic!(),
-        Lanes::Invocations(_) => hygienic! {
-            const _: () = ::core::assert!((#x) % ::muslin::#max::MAX_WIDTH == 0, "lanes fill a workgroup");
         },
     };
+    let whole = whole(kernel);
     let body = workgroup(kernel, views, &step);
     let generic = kernel.samples.then(|| hygienic!(, S: ::muslin::samples::Samples));
     let vectors = kernel.samples.then(|| hygienic!(, Vectors));
+    let vector = hygienic!(::muslin::dependencies::glam::UVec3);
     hygienic! {
         #whole
         // SAFETY: called as `CpuRun` says
         #[inline(always)]
         unsafe fn run_lanes<L: ::muslin::lane::Lane #generic> #body
         const fn run() -> ::muslin::kernel::CpuRun {
-            ::muslin::kernel::lane_runs!(run_lanes #vectors)
+            ::muslin::kernel::CpuRun::Lanes(::muslin::kernel::lane_runs!(run_lanes(
+                bindings: &[::muslin::kernel::CpuBinding],
+                workgroup: #vector,
+                workgroups: #vector,
+                part: [#vector; 2]
+            ) -> () #vectors))
         }
     }
+}
+
+/// Refuses lanes of invocations that do not fill a workgroup.
+fn whole(kernel: &Kernel) -> Option<TokenStream> {
+    let Some(Lanes::Invocations(_)) = &kernel.lanes else { return None };
+    let [x, ..] = &kernel.threads;
+    let max = if kernel.samples { hygienic!(samples) } else { hygienic!(lane) };
+    Some(hygienic! {
+        const _: () = ::core::assert!((#x) % ::muslin::#max::MAX_WIDTH == 0, "lanes fill a workgroup");
+    })
 }

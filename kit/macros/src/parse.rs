@@ -12,6 +12,7 @@ use syn::{
 };
 
 use crate::checks::first_loop;
+use crate::regions;
 
 /// The role of a kernel's parameter.
 pub enum Role {
@@ -171,9 +172,14 @@ impl Kernel {
             let message = "a kernel with `tiles` has no `lanes`, storage barriers, subgroups, sums or shared tiles";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
-        if kernel.lanes.is_some() && kernel.waits() {
-            let message =
-                "a kernel with workgroup memory, storage barriers or subgroups has no `lanes`";
+        if kernel.lanes.is_some()
+            && kernel.waits()
+            && let Err(kept) = regions::function(&kernel)
+        {
+            let message = format!(
+                "the kernel `{}` has `lanes`, and the CPU cannot cut it at its barriers: {kept}",
+                kernel.function.sig.ident
+            );
             return Err(Error::new(kernel.function.sig.span(), message));
         }
         Ok(kernel)
@@ -297,7 +303,14 @@ fn up_to_three(meta: &ParseNestedMeta<'_>) -> Result<Vec<Expr>> {
     if sizes.is_empty() || sizes.len() > 3 {
         return Err(meta.error("expected one to three sizes"));
     }
-    Ok(sizes.into_iter().collect())
+    // a macro puts what it got as an expression into a group
+    let ungrouped = |mut size: Expr| {
+        while let Expr::Group(of) = size {
+            size = *of.expr;
+        }
+        size
+    };
+    Ok(sizes.into_iter().map(ungrouped).collect())
 }
 
 /// The name of `id: Invocation`.

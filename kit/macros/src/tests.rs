@@ -136,17 +136,27 @@ fn a_generic_kernel_is_told_what_to_do() {
 }
 
 #[test]
-fn kernels_that_wait_have_no_lanes() {
-    let kernel = |options| {
+fn kernels_that_wait_have_lanes_if_they_are_cut() {
+    let error = |options, bound, body| {
         let function = quote!(
-            pub fn blur<L: Lane>(id: Invocation, params: &Size) {}
+            pub fn blur<L: #bound>(id: Invocation, params: &Size, values: Shared<f32, 64>) { #body }
         );
-        Kernel::parse(quote!(threads(64), lanes(count), #options), function).err()
+        let options = quote!(threads(64), lanes(count), #options);
+        Kernel::parse(options, function).err().map_or_else(String::new, |error| error.to_string())
     };
-    assert!(kernel(quote!()).is_none());
-    for options in [quote!(storage_barriers), quote!(subgroups)] {
-        let message = kernel(options).unwrap().to_string();
-        assert!(message.ends_with("storage barriers or subgroups has no `lanes`"), "{message}");
+    let [none, lane, waits] = [quote!(), quote!(Lane), quote!(id.barrier();)];
+    assert_eq!(error(none.clone(), lane.clone(), waits.clone()), "");
+    assert_eq!(error(quote!(storage_barriers), lane.clone(), quote!(id.storage_barrier();)), "");
+    for (options, bound, body, reason) in [
+        (quote!(subgroups), lane.clone(), none.clone(), "shared tiles or operations of subgroups"),
+        (quote!(coroutines), lane.clone(), none.clone(), "it says `coroutines`"),
+        (none.clone(), quote!(Samples), none.clone(), "it takes samples"),
+        (none.clone(), lane.clone(), quote!(wait(id);), "the invocation is passed on"),
+        (none, lane, quote!(if params.count > 0 { return; } #waits), "a `return` before a barrier"),
+    ] {
+        let message = error(options, bound, body);
+        let start = "the kernel `blur` has `lanes`, and the CPU cannot cut it at its barriers: ";
+        assert!(message.starts_with(start) && message.ends_with(reason), "{message}");
     }
 }
 

@@ -31,7 +31,10 @@ corpus! {
         barrier_for_all_workgroups storage_barrier_is_missing storage_barrier_for_all_workgroups
     }
     subgroups { lanes_without_items size_is_written_out }
-    workgroup_memory { end_of_the_last_tile column_is_not_the_index counts_read_too_soon }
+    workgroup_memory {
+        end_of_the_last_tile column_is_not_the_index counts_read_too_soon
+        lanes_overwrite_their_neighbors
+    }
     storage_races {
         scatter_with_duplicates shift_in_place atomic_and_plain
         reads_a_counter_too_soon sum_by_every_invocation layers_share_a_sum

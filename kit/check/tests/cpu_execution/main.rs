@@ -7,6 +7,7 @@
 extern crate muslin_kernel as muslin;
 
 mod broken;
+mod lanes;
 mod regions;
 mod sizes;
 mod storage_barriers;

@@ -7,7 +7,7 @@ use crate::casts::check_cast;
 use crate::fixed;
 use crate::half::normal_half_value;
 use crate::lane::{Lane, LaneIndex};
-use crate::memory::{Read, Write};
+use crate::memory::{Read, Shared, Touch, Write};
 use crate::scalar::integral;
 
 /// `N` values. With `FUSED`, the instruction set has a fused multiply-add.
@@ -191,8 +191,29 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     #[track_caller]
+    fn read_below(buffer: Read<f32>, first: u32, end: u32) -> Self {
+        let whole = end >= Self::WIDTH && first <= end - Self::WIDTH;
+        if whole { Self::read(buffer, first) } else { Self(read_some(buffer, first, end)) }
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn read_shared<const LEN: usize>(values: Shared<f32, LEN>, first: u32) -> Self {
+        Self(values.0.read_lanes(first))
+    }
+
+    #[inline(always)]
+    #[track_caller]
     fn gather(buffer: Read<f32>, at: Self::Index) -> Self {
         Self(buffer.gather(at.0))
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn gather_shared<const LEN: usize>(values: Shared<f32, LEN>, at: Self::Index) -> Self {
+        let first = values.0.addresses_of(at.0, Touch::Read);
+        // SAFETY: checked above
+        Self(lanes!(|i| unsafe { *first.add(at.0[i] as usize) }))
     }
 
     #[inline(always)]
@@ -214,6 +235,25 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[track_caller]
     fn write(self, buffer: Write<f32>, first: u32) {
         buffer.write_lanes(first, self.0);
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn write_shared<const LEN: usize>(self, values: Shared<f32, LEN>, first: u32) {
+        values.0.write_lanes(first, self.0);
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn write_shared_below<const LEN: usize>(self, values: Shared<f32, LEN>, first: u32, end: u32) {
+        if end >= Self::WIDTH && first <= end - Self::WIDTH {
+            return self.write_shared(values, first);
+        }
+        let mut i = 0;
+        while i < N && i < end.saturating_sub(first) as usize {
+            values.write(first + i as u32, self.0[i]);
+            i += 1;
+        }
     }
 
     #[inline(always)]
@@ -326,6 +366,20 @@ fn pairwise<const N: usize>(values: &[f32; N]) -> f32 {
         width /= 2;
     }
     values[0]
+}
+
+/// The values from `first` to `end`, and zeros behind them.
+#[cold]
+#[inline(never)]
+#[track_caller]
+fn read_some<const N: usize>(buffer: Read<f32>, first: u32, end: u32) -> [f32; N] {
+    let mut values = [0.0; N];
+    let mut i = 0;
+    while i < N && i < end.saturating_sub(first) as usize {
+        values[i] = buffer.read(first + i as u32);
+        i += 1;
+    }
+    values
 }
 
 /// `a b + c`, with one rounding if the instruction set has that.

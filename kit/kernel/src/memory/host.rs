@@ -361,13 +361,11 @@ impl<T: Copy> Write<'_, T> {
         #[cfg(not(target_arch = "x86_64"))]
         let _ = address;
     }
-}
 
-impl Write<'_, u32> {
     /// The address of the first element, after a check of all `index`. Panics if one is out of range.
     #[inline(always)]
     #[track_caller]
-    pub(crate) fn addresses_of<const N: usize>(&self, index: [u32; N], touch: Touch) -> *mut u32 {
+    pub(crate) fn addresses_of<const N: usize>(&self, index: [u32; N], touch: Touch) -> *mut T {
         let largest = index.iter().fold(0, |a: u32, &b| if a > b { a } else { b });
         if largest as usize >= self.len {
             out_of_range(largest, self.len, self.name);
@@ -379,7 +377,9 @@ impl Write<'_, u32> {
         }
         self.data
     }
+}
 
+impl Write<'_, u32> {
     /// The address of the first 64-bit integer, after a check of all `index`. The integer at `index` has the elements
     /// `2 index` and `2 index + 1`; the monitor only sees the latter. Panics if one is out of range.
     #[inline(always)]

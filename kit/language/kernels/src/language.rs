@@ -42,6 +42,33 @@ pub fn byte_histogram(
     bins.atomic_add(all + own, local.read(all + own));
 }
 
+/// The part of each of `values [count]` in the sum of the 64 values of its workgroup, to `shares [count]`.
+#[kernel(threads(64), over(params.count), lanes(count), iterations = 6)]
+pub fn shares<L: Lane>(
+    id: Invocation,
+    params: &LanguageParams,
+    values: Read<f32>,
+    shares: Write<f32>,
+    sums: Shared<f32, 64>,
+) {
+    let at = id.local.x;
+    let own = L::read_below(values, id.index(), params.count);
+    own.write_shared(sums, at);
+    id.barrier();
+    let mut half = 32;
+    while half > 0 {
+        if at < half {
+            let sum = L::read_shared(sums, at) + L::read_shared(sums, at + half);
+            sum.write_shared_below(sums, at, half);
+        }
+        id.barrier();
+        half /= 2;
+    }
+    if id.index() < params.count {
+        (own / L::splat(sums.read(0))).write(shares, id.index());
+    }
+}
+
 /// Parameters of [`sort_rows`].
 #[params]
 pub struct SortParams {

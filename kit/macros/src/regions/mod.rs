@@ -16,7 +16,7 @@ use syn::{FnArg, Ident, Pat};
 
 use crate::checks;
 use crate::function::{hygienic, max_iterations, text, view};
-use crate::parse::{Kernel, Parameter, Role};
+use crate::parse::{Kernel, Lanes, Parameter, Role};
 use crossing::Crossing;
 use uniform::Names;
 use write::Writer;
@@ -33,6 +33,9 @@ pub fn name(kernel: &Kernel) -> Ident {
 pub fn function(kernel: &Kernel) -> Result<TokenStream, Kept> {
     if !kernel.waits() || kernel.has_shared_tiles() || kernel.subgroups {
         return Err("it has no barriers, or shared tiles or operations of subgroups");
+    }
+    if kernel.samples {
+        return Err("it takes samples");
     }
     if kernel.coroutines {
         return Err("it says `coroutines`");
@@ -76,11 +79,26 @@ fn whole(kernel: &Kernel, writer: &Writer, body: &TokenStream) -> TokenStream {
     let count = writer.count();
     let [x, y, z] = &kernel.threads;
     let max = max_iterations(kernel);
+    let generics = kernel.function.sig.generics.params.iter();
+    // with the instructions of the function that it is inlined into
+    let inline = kernel.lanes.is_some().then(|| quote!(#[inline(always)]));
+    let one_by_one = match (&kernel.lanes, kernel.lanes_type(), kernel.uniform()) {
+        (Some(Lanes::Invocations(end)), Some(lanes), Some(Parameter { name: params, .. })) => {
+            let one = quote!(<#lanes as ::muslin::lane::Lane>::One);
+            Some(hygienic! {
+                if const { #lanes::WIDTH > 1 } && !regions.fill_lanes(&first, #params.#end) {
+                    return unsafe { self::#name::<#one, MUSLIN_PLAIN>(regions, bindings) };
+                }
+            })
+        }
+        _ => None,
+    };
     hygienic! {
         // SAFETY: called as `CpuRun` says
         #[cfg(not(target_arch = "spirv"))]
         #[allow(warnings, clippy::all)]
-        unsafe fn #name<const MUSLIN_PLAIN: bool>(
+        #inline
+        unsafe fn #name<#(#generics,)* const MUSLIN_PLAIN: bool>(
             regions: &::muslin::regions::Regions,
             bindings: &[::muslin::kernel::CpuBinding],
         ) -> ::core::result::Result<(), ::muslin::regions::Failure> {
@@ -90,6 +108,7 @@ fn whole(kernel: &Kernel, writer: &Writer, body: &TokenStream) -> TokenStream {
             let count: u32 = #count;
             ::muslin::checked!(regions.allow_iterations(#max););
             #(#views)*
+            #one_by_one
             #arrays
             #body
             ::core::result::Result::Ok(())
@@ -105,11 +124,12 @@ pub fn call(kernel: &Kernel) -> syn::Stmt {
     let (shared, bindings): (Vec<_>, Vec<_>) =
         kernel.parameters.iter().partition(|parameter| matches!(parameter.role, Role::Shared(_)));
     let arguments = bindings.into_iter().chain(shared).map(|Parameter { name, .. }| name);
+    let lanes = kernel.lanes_type().into_iter();
     syn::parse2(hygienic! {
         ::muslin::checked! {
             if ::muslin::workgroup::run_together(
                 #text,
-                self::#regions::<false>,
+                self::#regions::<#(#lanes,)* false>,
                 #id,
                 &[#(::muslin::kernel::CpuBinding::from(#arguments)),*],
             ) {

@@ -1,6 +1,6 @@
 //! What is cut, what keeps its coroutines and why, and which variables get an array.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Group, TokenStream};
 use quote::quote;
 
 use super::function;
@@ -13,7 +13,9 @@ fn cut(body: TokenStream) -> Result<String, &'static str> {
             #body
         }
     );
-    let kernel = Kernel::parse(quote!(threads(64), iterations = 9), function).unwrap();
+    // as a macro passes it on
+    let one = Group::new(Delimiter::None, quote!(1));
+    let kernel = Kernel::parse(quote!(threads(64, #one), iterations = 9), function).unwrap();
     function_of(&kernel)
 }
 

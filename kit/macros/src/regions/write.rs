@@ -11,7 +11,7 @@ use super::scan::is_name;
 use super::uniform::Names;
 use crate::checks;
 use crate::function::hygienic;
-use crate::parse::Kernel;
+use crate::parse::{Kernel, Lanes};
 
 pub struct Writer<'a> {
     pub kernel: &'a Kernel,
@@ -165,12 +165,13 @@ impl Writer<'_> {
 
     /// Every invocation takes the next round of a loop, or votes for its end.
     fn next_round(&mut self, pattern: &Pat) -> TokenStream {
+        let width = self.width();
         let next = self.segment(&hygienic!([0, count]), |puts| {
             hygienic! {
                 let mut all = unsafe { rounds.take(index) };
                 let next = ::core::iter::Iterator::next(&mut all);
                 unsafe { rounds.put(index, all) };
-                votes.set(index, next.is_some());
+                votes.set(index, #width, next.is_some());
                 if let ::core::option::Option::Some(#pattern) = next {
                     #puts
                 }
@@ -193,8 +194,11 @@ impl Writer<'_> {
             return [quote!(), value];
         }
         let votes = self.votes();
-        let vote =
-            self.segment(&hygienic!([0, count]), |puts| hygienic!(votes.set(index, #value); #puts));
+        let width = self.width();
+        let vote = self.segment(
+            &hygienic!([0, count]),
+            |puts| hygienic!(votes.set(index, #width, #value); #puts),
+        );
         let fork = fork(at, &barriers, is_loop);
         [hygienic!(#votes #vote), hygienic!(votes.decide(#fork)?)]
     }
@@ -248,8 +252,9 @@ impl Writer<'_> {
             .map(|Variable { name, slot, .. }| hygienic!(unsafe { #slot.put(index, #name) };));
         let inner = inner(hygienic!(#(#puts)*));
         let id = &self.kernel.id;
+        let width = self.width();
         hygienic! {
-            let [mut step, end] = regions.steps::<MUSLIN_PLAIN>(#bounds, count);
+            let [mut step, end] = regions.steps::<MUSLIN_PLAIN>(#width, #bounds, count);
             while step < end {
                 let entered = regions.enter::<MUSLIN_PLAIN>(step, &mut place);
                 let index = entered.index;
@@ -258,9 +263,23 @@ impl Writer<'_> {
                 #(#takes)*
                 'region: { #inner }
                 regions.leave(entered);
-                step += 1;
+                step += #width;
             }
         }
+    }
+
+    /// What the lanes of a step are: of the kernel's type, if it takes several invocations.
+    fn lanes(&self) -> TokenStream {
+        match (&self.kernel.lanes, self.kernel.lanes_type()) {
+            (Some(Lanes::Invocations(_)), Some(lanes)) => quote!(#lanes),
+            _ => quote!(f32),
+        }
+    }
+
+    /// The number of invocations that a step takes.
+    fn width(&self) -> TokenStream {
+        let lanes = self.lanes();
+        quote!(<#lanes as ::muslin::lane::Lane>::WIDTH)
     }
 
     /// The number of invocations.
@@ -271,7 +290,8 @@ impl Writer<'_> {
 
     fn slot(&self) -> TokenStream {
         let count = self.count();
-        quote!(::muslin::regions::PerInvocation::<_, { #count as usize }>::new())
+        let lanes = self.lanes();
+        quote!(::muslin::regions::PerInvocation::<_, { #count as usize }, #lanes>::new())
     }
 
     /// The arrays of variables that cross barriers, and the types of those that each region computes.

@@ -20,8 +20,8 @@ pub struct ProductParams {
 }
 
 /// `output [rows, columns] = left [rows, inner] right [inner, columns]`. A workgroup loads a tile of both, and then multiplies.
-#[kernel(threads(SIDE, SIDE), over(params.columns, params.rows, 1), iterations = 2 * MAX_INNER)]
-pub fn product(
+#[kernel(threads(SIDE, SIDE), over(params.columns, params.rows, 1), lanes(columns), iterations = 2 * MAX_INNER)]
+pub fn product<L: Lane>(
     id: Invocation,
     params: &ProductParams,
     left: Read<f32>,
@@ -32,33 +32,30 @@ pub fn product(
 ) {
     let place = id.global();
     let own = id.local.y * SIDE + id.local.x;
-    let mut sum = 0.0;
+    let mut sum = L::splat(0.0);
     let mut first = 0;
     while first < params.inner {
-        let column = first + id.local.x;
-        let row = first + id.local.y;
         // beyond the matrices, tiles are 0
-        let mut a = 0.0;
-        if place.y < params.rows && column < params.inner {
-            a = left.read(place.y * params.inner + column);
-        }
-        let mut b = 0.0;
-        if row < params.inner && place.x < params.columns {
-            b = right.read(row * params.columns + place.x);
-        }
-        left_tile.write(own, a);
-        right_tile.write(own, b);
+        let left_row = place.y * params.inner;
+        let left_end = if place.y < params.rows { left_row + params.inner } else { 0 };
+        let a = L::read_below(left, left_row + first + id.local.x, left_end);
+        let row = first + id.local.y;
+        let right_row = row * params.columns;
+        let right_end = if row < params.inner { right_row + params.columns } else { 0 };
+        let b = L::read_below(right, right_row + place.x, right_end);
+        a.write_shared(left_tile, own);
+        b.write_shared(right_tile, own);
         id.barrier();
         let mut k = 0;
         while k < SIDE {
-            let a = left_tile.read(id.local.y * SIDE + k);
-            sum += a * right_tile.read(k * SIDE + id.local.x);
+            let a = L::splat(left_tile.read(id.local.y * SIDE + k));
+            sum = sum + a * L::read_shared(right_tile, k * SIDE + id.local.x);
             k += 1;
         }
         id.barrier();
         first += SIDE;
     }
     if place.x < params.columns && place.y < params.rows {
-        output.write(place.y * params.columns + place.x, sum);
+        sum.write(output, place.y * params.columns + place.x);
     }
 }

@@ -32,7 +32,7 @@
 //! |---------------------|---------|
 //! | `threads(x, y, z)`  | the size of a workgroup |
 //! | `iterations = N`    | how often all loops of one invocation run together at most; required with a loop |
-//! | `lanes(field)`      | generic over `Lane` or `Samples`: a GPU runs it with `f32` (or four samples per invocation), the CPU with SIMD. A call is `L::WIDTH` invocations along x, all of them below the parameters' `field` |
+//! | `lanes(field)`      | generic over `Lane` or `Samples`: a GPU runs it with `f32` (or four samples per invocation), the CPU with SIMD. A call is `L::WIDTH` invocations along x, all of them below the parameters' `field`; with barriers, those of the whole workgroup are |
 //! | `lanes`             | generic over `Lane`: each invocation is one call, and has all lanes |
 //! | `fused`             | drivers may fuse and regroup arithmetic. Otherwise they compute what is written, so devices agree |
 //! | `storage_barriers`  | invocations wait at `Invocation::storage_barrier`, and have no workgroup memory; a kernel that has some needs not say so |

@@ -327,12 +327,7 @@ impl Changes {
             Expr::Group(of) => self.place(&of.expr),
             Expr::Unary(of) if matches!(of.op, UnOp::Deref(_)) => self.place(&of.expr),
             Expr::MethodCall(of) => self.place(&of.receiver),
-            Expr::Path(_) => {
-                let mut names = Uses::default();
-                names.visit_expr(place);
-                self.names.extend(names.0);
-            }
-            Expr::Tuple(_) | Expr::Array(_) | Expr::Struct(_) | Expr::Call(_) => {
+            Expr::Path(_) | Expr::Tuple(_) | Expr::Array(_) | Expr::Struct(_) | Expr::Call(_) => {
                 let mut names = Uses::default();
                 names.visit_expr(place);
                 self.names.extend(names.0);

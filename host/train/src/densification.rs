@@ -3,7 +3,7 @@
 use glam::{Quat, Vec3};
 
 use super::config::DensificationConfig;
-use organza_core::scene::{Gaussians, logit};
+use organza_core::scene::{Gaussians, along_a_curve, logit};
 
 /// Distance of the halves of a split Gaussian from its center, in standard deviations along its longest axis.
 const SPLIT_OFFSET: f32 = 0.6;
@@ -74,17 +74,17 @@ impl Densification {
         Self { counts, densified: DensificationStats { split: by_strength.len() as u32, pruned } }
     }
 
-    /// The new scene's Gaussians, in the order of their parents.
-    fn children(&self) -> impl Iterator<Item = Child> {
-        let of_parent = |(parent, &count): (usize, &u32)| {
-            let sides: &[_] = match count {
+    /// The new scene's Gaussians, where their parents lie along a curve: what is near in space is near in memory.
+    fn children(&self, positions: &[[f32; 3]]) -> impl Iterator<Item = Child> {
+        let of_parent = |parent: usize| {
+            let sides: &[_] = match self.counts[parent] {
                 0 => &[],
                 1 => &[None],
                 _ => &[Some(1.0), Some(-1.0)],
             };
             sides.iter().map(move |&side| Child { parent, side })
         };
-        self.counts.iter().enumerate().flat_map(of_parent)
+        along_a_curve(positions).into_iter().flat_map(of_parent)
     }
 }
 
@@ -150,7 +150,7 @@ pub fn densify(config: &DensificationConfig, population: &mut Population) -> Den
     let Population { gaussians, moments, statistics } = population;
     let strengths: Vec<_> = statistics.iter().copied().map(strength).collect();
     let densification = Densification::new(config, &gaussians.opacity, &strengths);
-    let children: Vec<_> = densification.children().collect();
+    let children: Vec<_> = densification.children(&gaussians.position).collect();
     apply(&children, gaussians, moments);
     *statistics = vec![[0.0; 4]; children.len()];
     densification.densified

@@ -16,7 +16,7 @@ use super::requirements;
 use super::space::scene_box;
 use organza_core::camera::{Camera, Target};
 use organza_core::error::{Error, Result};
-use organza_core::scene::{Network, Scene, logit};
+use organza_core::scene::{Network, Scene, along_a_curve, logit};
 use organza_data::random;
 use organza_data::{Dataset, Frame, Point, sweep};
 use organza_splats::{self as splats, Splat};
@@ -58,6 +58,8 @@ pub(super) fn first_scene(
         Some(path) => start_from(path, config, dataset, &frames, &cameras)?,
         None => start_at_points(config, dataset, &frames, &cameras)?,
     };
+    // neighbors read the same entries of the grids
+    scene.gaussians = scene.gaussians.select(&along_a_curve(&scene.gaussians.position));
     scene.config.placement = dataset.placement;
     if let Some(block) = &dataset.block {
         block.bound(&mut scene.config)?;

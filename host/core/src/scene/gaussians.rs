@@ -207,6 +207,31 @@ fn select<E: Copy>(values: &[E], len: usize, indices: &[usize]) -> Vec<E> {
     indices.iter().flat_map(|&index| &values[index * width..][..width]).copied().collect()
 }
 
+/// Bits of a coordinate in a place on the curve.
+const CURVE_BITS: u32 = 21;
+
+/// Indices of positions along a Morton curve through their box: what is near in space is mostly near in the list.
+#[must_use]
+pub fn along_a_curve(positions: &[[f32; 3]]) -> Vec<usize> {
+    let all = [f64::INFINITY, f64::NEG_INFINITY];
+    let ranges = [0, 1, 2].map(|axis| {
+        let values = positions.iter().map(|position| f64::from(position[axis]));
+        values.fold(all, |[low, high], value| [low.min(value), high.max(value)])
+    });
+    let cell = |value: f32, [low, high]: [f64; 2]| {
+        let max = f64::from((1 << CURVE_BITS) - 1);
+        // NaN in a box without a width becomes 0
+        ((f64::from(value) - low) / (high - low) * max).round() as u64
+    };
+    let key = |position: &[f32; 3]| -> u64 {
+        let cells = [0, 1, 2].map(|axis| cell(position[axis], ranges[axis]));
+        (0..3 * CURVE_BITS).map(|bit| (cells[bit as usize % 3] >> (bit / 3) & 1) << bit).sum()
+    };
+    let mut order: Vec<_> = (0..positions.len()).collect();
+    order.sort_by_cached_key(|&index| key(&positions[index]));
+    order
+}
+
 /// The logit of an opacity between 0 and 1, both excluded.
 pub fn logit(opacity: f32) -> f32 {
     (opacity / (1.0 - opacity)).ln()
@@ -215,6 +240,16 @@ pub fn logit(opacity: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn octants_follow_one_another() {
+        // the octants in the reverse of the curve's order: x has the lowest bit
+        let octant = |index: usize| [0, 1, 2].map(|axis| ((7 - index) >> axis & 1) as f32);
+        let octants: Vec<_> = (0..8).map(octant).collect();
+        assert_eq!(along_a_curve(&octants), [7, 6, 5, 4, 3, 2, 1, 0]);
+        // a box without a width keeps the order
+        assert_eq!(along_a_curve(&[[0.5; 3]; 3]), [0, 1, 2]);
+    }
 
     #[test]
     fn rows_are_selected_from_every_tensor() {

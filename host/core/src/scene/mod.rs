@@ -21,7 +21,7 @@ pub use config::{
     MAX_SH_DEGREE, MAX_VECTOR, MlpConfig, SLOPE, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
 pub use file::scene_metadata;
-pub use gaussians::{GaussianTensors, Gaussians, logit};
+pub use gaussians::{GaussianTensors, Gaussians, along_a_curve, logit};
 pub use gradient::Gradient;
 pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, MAX_LEVELS, MAX_LOG2_TABLE, MAX_RESOLUTION,

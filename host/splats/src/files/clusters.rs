@@ -1,9 +1,7 @@
-//! Replaces many values by a few: vector quantization by repeated halving. Orders Gaussians for files that compress neighbors together.
+//! Replaces many values by a few: vector quantization by repeated halving.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
-
-use super::{Splat, ends, level};
 
 /// Values of D numbers, put into clusters.
 pub struct Clusters<const D: usize> {
@@ -87,26 +85,8 @@ pub fn clusters<const D: usize>(values: &[[f32; D]], max: usize) -> Clusters<D> 
     Clusters { centers, labels }
 }
 
-/// Bits of a coordinate in a place on the curve.
-const BITS: u32 = 10;
-const MAX_LEVEL: u32 = (1 << BITS) - 1;
-
-/// Indices of the Gaussians along a Morton curve through the box of their centers: what is near in space is near in the
-/// file.
-pub fn along_a_curve(splats: &[Splat]) -> Vec<usize> {
-    let ranges = [0, 1, 2].map(|axis| ends(splats.iter().map(|splat| splat.position[axis])));
-    let key = |splat: &Splat| -> u32 {
-        let cells = [0, 1, 2].map(|axis| level(splat.position[axis], ranges[axis], MAX_LEVEL));
-        (0..3 * BITS).map(|bit| (cells[bit as usize % 3] >> (bit / 3) & 1) << bit).sum()
-    };
-    let mut order: Vec<_> = (0..splats.len()).collect();
-    order.sort_by_cached_key(|&index| key(&splats[index]));
-    order
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::tests::splats;
     use super::*;
 
     #[test]
@@ -133,17 +113,5 @@ mod tests {
         let mean = squares.sum::<f64>() / 64_000.0;
         let min = (1.0_f64 / 256.0).powi(2) / 12.0;
         assert!((0.99..1.05).contains(&(mean / min)), "{}", mean / min);
-    }
-
-    #[test]
-    fn octants_follow_one_another() {
-        let mut splats = splats();
-        splats.truncate(8);
-        for (index, splat) in splats.iter_mut().enumerate() {
-            // the octants in the reverse of the curve's order: x has the lowest bit
-            let octant = 7 - index;
-            splat.position = [0, 1, 2].map(|axis| (octant >> axis & 1) as f32);
-        }
-        assert_eq!(along_a_curve(&splats), [7, 6, 5, 4, 3, 2, 1, 0]);
     }
 }

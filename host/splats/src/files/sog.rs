@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-use super::clusters::{Clusters, along_a_curve, clusters};
+use super::clusters::{Clusters, clusters};
 use super::{
     PLACEMENT, Splat, SplatFile, byte, ends, level, logit_of, smallest_three, stored_placement,
     turned, with_largest,
@@ -21,7 +21,7 @@ use super::{
 use crate::harmonics::{DEGREE, HARMONICS};
 use organza_core::error::{Result, invalid};
 use organza_core::input::parse_json;
-use organza_core::scene::Placement;
+use organza_core::scene::{Placement, along_a_curve};
 
 /// The file of a SOG file that describes the others.
 const META: &str = "meta.json";
@@ -67,11 +67,16 @@ impl<W: Write + Seek> Archive<W> {
     }
 }
 
+/// Splats along a curve: images compress neighbors together.
+fn ordered(splats: &[Splat]) -> Vec<Splat> {
+    let positions: Vec<_> = splats.iter().map(|splat| splat.position).collect();
+    along_a_curve(&positions).into_iter().map(|index| splats[index]).collect()
+}
+
 pub fn write(splats: &[Splat], placement: &Placement, file: &mut dyn Write) -> io::Result<()> {
     // the archive's index has places of files, so it is put together first
     let mut archive = Archive(ZipWriter::new(Cursor::new(Vec::new())));
-    let order = along_a_curve(splats);
-    let splats: Vec<Splat> = order.into_iter().map(|index| splats[index]).collect();
+    let splats = ordered(splats);
     let side = (splats.len() as f64).sqrt().ceil() as usize;
     let width = side.next_multiple_of(4);
     let size = [width, splats.len().div_ceil(width).next_multiple_of(4)];
@@ -448,7 +453,7 @@ mod tests {
         let splats = splats();
         let mut bytes = Vec::new();
         write(&splats, &Placement::default(), &mut bytes).unwrap();
-        let expected: Vec<_> = along_a_curve(&splats).into_iter().map(|at| splats[at]).collect();
+        let expected = ordered(&splats);
         // 16 bits of the logarithms between -1.1 and 1.1, and parts of quaternions in steps of sqrt(2) / 255
         let max = [3.0 * 0.5 * 2.2 / 65_535.0, 1e-6, 1e-6, 0.01, 3.0 * 0.71 / 255.0];
         assert_close(&described(bytes.clone()), &expected, max);

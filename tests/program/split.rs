@@ -10,6 +10,7 @@ use organza::{Camera, Scene};
 use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
+use crate::view::client::{Viewer, pixels};
 
 const SPLIT: &str = "split walk -o blocks --blocks 2";
 const TRAIN: &str = "train blocks --config tiny.toml --backend cpu -o";
@@ -149,6 +150,20 @@ fn blocks_are_trained_apart_and_shown_as_one_scene() {
         let inside = |splat: &organza::splats::Splat| own.has(splat.position.map(f64::from));
         assert!(exported.splats.iter().any(inside), "the file lacks a block");
     }
+    sandbox.run("mesh runs -o all.obj --size 32 --backend cpu").assert_ok();
+    let mesh = sandbox.text("all.obj");
+    let vertex = |line: &str| {
+        let mut numbers = line.strip_prefix("v ")?.split(' ').map(|x| x.parse().unwrap());
+        Some([(); 3].map(|()| numbers.next().unwrap()))
+    };
+    for own in &blocks {
+        assert!(mesh.lines().filter_map(vertex).any(|place| own.has(place)), "no surface there");
+    }
+    let viewer = Viewer::start(&sandbox, "view runs --port 0 --backend cpu");
+    assert_eq!(viewer.scene()["scenes"], 2);
+    let camera = &viewer.scene()["views"][8]["camera"];
+    let image = viewer.frame(camera, "exact", &json!({})).ok();
+    assert!(pixels(&image.body) == pixels(&sandbox.read("images/08.png")));
     for words in ["edit runs -o a.safetensors --scale 1", "explain runs --view 0 --pixel 1,1"] {
         sandbox.assert_refuses(words, &["runs of a split", "name one of them"]);
     }
@@ -252,6 +267,8 @@ fn blocks_and_runs_that_do_not_belong_together_are_refused() {
         ),
         (edited("frames", json!([])), ["none of the block's 0 photographs", "split it again"]),
         (edited("border", json!("wide")), ["block.json", "no block of a split"]),
+        (edited("cells", json!(["00"])), ["block.json", "64 hexadecimal digits"]),
+        (edited("cells", json!(["f".repeat(64)])), ["block.json", "cells of 1 frames, but"]),
         ("{".to_owned(), ["block.json", "line 1"]),
     ] {
         sandbox.write(file, &content);
@@ -264,6 +281,13 @@ fn blocks_and_runs_that_do_not_belong_together_are_refused() {
         assert_eq!(is_of_block, one.stderr.contains("1 of 2 blocks failed"), "{one:?}");
         sandbox.shell("rm -rf new").assert_ok();
     }
+    // as an older program wrote it
+    sandbox.write(file, &kept);
+    let mut old = sandbox.read_json(file);
+    old.as_object_mut().unwrap().remove("cells");
+    sandbox.write(file, old.to_string());
+    sandbox.run(&steps.replace("blocks", "blocks/block-0").replace("runs", "old")).assert_ok();
+    assert!(block(&sandbox, "old").cells.is_empty());
     sandbox.write(file, &kept);
     // runs of two splits in one folder, and one of them missing
     sandbox.copy_file("others/block-1/block.json", "runs/block-1/block.json");

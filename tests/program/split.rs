@@ -249,9 +249,6 @@ fn blocks_and_runs_that_do_not_belong_together_are_refused() {
     let edited = |key: &str, value: Value| {
         let mut json = sandbox.read_json(file);
         json[key] = value;
-        if key == "frames" {
-            json["cells"] = json!([]);
-        }
         json.to_string()
     };
     let kept = sandbox.text(file);
@@ -270,8 +267,6 @@ fn blocks_and_runs_that_do_not_belong_together_are_refused() {
         ),
         (edited("frames", json!([])), ["none of the block's 0 photographs", "split it again"]),
         (edited("border", json!("wide")), ["block.json", "no block of a split"]),
-        (edited("cells", json!(["00"])), ["block.json", "64 hexadecimal digits"]),
-        (edited("cells", json!(["f".repeat(64)])), ["block.json", "cells of 1 frames, but"]),
         ("{".to_owned(), ["block.json", "line 1"]),
     ] {
         sandbox.write(file, &content);
@@ -284,13 +279,6 @@ fn blocks_and_runs_that_do_not_belong_together_are_refused() {
         assert_eq!(is_of_block, one.stderr.contains("1 of 2 blocks failed"), "{one:?}");
         sandbox.shell("rm -rf new").assert_ok();
     }
-    // as an older program wrote it
-    sandbox.write(file, &kept);
-    let mut old = sandbox.read_json(file);
-    old.as_object_mut().unwrap().remove("cells");
-    sandbox.write(file, old.to_string());
-    sandbox.run(&steps.replace("blocks", "blocks/block-0").replace("runs", "old")).assert_ok();
-    assert!(block(&sandbox, "old").cells.is_empty());
     sandbox.write(file, &kept);
     // runs of two splits in one folder, and one of them missing
     sandbox.copy_file("others/block-1/block.json", "runs/block-1/block.json");

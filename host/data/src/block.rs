@@ -1,6 +1,6 @@
 //! A block of a capture: a data set that takes some of another one's photographs. [`Split`](super::Split) makes blocks.
 
-use std::collections::HashMap;
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -44,51 +44,6 @@ pub struct Block {
     pub border: f64,
     /// Names of the frames that look into the block.
     pub frames: Vec<String>,
-    /// What each frame shows of the block; empty if that is not known, and all counts.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub cells: Vec<Cells>,
-}
-
-/// Columns and rows of [`Cells`].
-pub(super) const SIDE: usize = 16;
-
-/// Which of 16 x 16 cells of an image count: a bit for each column, the first one the lowest, in a word for each row. JSON has four
-/// hexadecimal digits for each row.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(into = "String", try_from = "String")]
-pub struct Cells(pub(super) [u16; SIDE]);
-
-impl Cells {
-    /// Whether a pixel of an image lies in one of the cells.
-    pub(super) fn has(&self, pixel: [u32; 2], size: [u32; 2]) -> bool {
-        let [column, row] = [0, 1].map(|axis| pixel[axis] as usize * SIDE / size[axis] as usize);
-        self.0[row] >> column & 1 == 1
-    }
-
-    /// The cells, and those around them.
-    pub(super) fn widened(self) -> Self {
-        let along = self.0.map(|row| row | row << 1 | row >> 1);
-        Self(std::array::from_fn(|row| {
-            along[row.saturating_sub(1)..(row + 2).min(SIDE)].iter().fold(0, |all, row| all | row)
-        }))
-    }
-}
-
-impl From<Cells> for String {
-    fn from(Cells(rows): Cells) -> Self {
-        rows.map(|row| format!("{row:04x}")).concat()
-    }
-}
-
-impl TryFrom<String> for Cells {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<Self, String> {
-        let row = |at: usize| u16::from_str_radix(text.get(4 * at..4 * at + 4)?, 16).ok();
-        let rows: Option<Vec<_>> = (0..SIDE).map(row).collect();
-        let rows = rows.filter(|_| text.len() == 4 * SIDE).and_then(|rows| rows.try_into().ok());
-        rows.map(Self).ok_or_else(|| format!("cells are 64 hexadecimal digits, not {text:?}"))
-    }
 }
 
 impl Block {
@@ -108,13 +63,9 @@ impl Block {
         let block = block
             .or_else(|error| invalid(&file, format!("this is no block of a split: {error}")))?;
         Placement::from_json(&serde_json::json!(block.placement), &file)?;
-        let [frames, cells] = [&block.frames.len(), &block.cells.len()];
-        if block.index >= block.blocks {
-            return invalid(&file, format!("block {} of {}", block.index, block.blocks));
-        }
-        match [frames, &0].contains(&cells) {
+        match block.index < block.blocks {
             true => Ok(block),
-            false => invalid(&file, format!("cells of {cells} frames, but {frames} frames")),
+            false => invalid(&file, format!("block {} of {}", block.index, block.blocks)),
         }
     }
 
@@ -250,13 +201,8 @@ pub(super) fn list(poses: &mut Poses, folder: &Path) -> Result<()> {
     }
     let mut whole = Poses::new(&data, &poses.options)?;
     super::list(&mut whole)?;
-    let cells = block.cells.iter().copied().map(Some).chain(std::iter::repeat(None));
-    let names: HashMap<_, _> = block.frames.iter().zip(cells).collect();
-    whole.shots.retain_mut(|shot| {
-        let cells = names.get(&shot.name);
-        shot.cells = cells.copied().flatten();
-        cells.is_some()
-    });
+    let names: HashSet<_> = block.frames.iter().collect();
+    whole.shots.retain(|shot| names.contains(&shot.name));
     let left_out = names.len() > whole.shots.len();
     if whole.shots.is_empty() {
         let reason = format!(

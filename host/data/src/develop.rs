@@ -3,7 +3,6 @@
 
 use std::path::{Path, PathBuf};
 
-use super::block::Cells;
 use super::fingerprint::Digest;
 use super::lens::{Lens, Projection, Undistortion};
 use super::{Alpha, DatasetOptions, Frame, Photograph, decode, masks};
@@ -32,8 +31,6 @@ pub(super) struct Shot {
     pub factor: u32,
     /// Whether the frame is held out from training.
     pub held_out: bool,
-    /// The cells of its image, undistorted and downscaled, that are used: all without.
-    pub cells: Option<Cells>,
     /// The digest that the file must have, if a run was trained on it.
     pub trained: Option<Digest>,
 }
@@ -91,15 +88,15 @@ impl Shot {
                 if alpha_hides { [color[0], color[1], color[2], 1.0] } else { over(color) }
             })
         };
-        let is_hidden = mask.is_some() || alpha_hides || self.cells.is_some();
-        let is_whole = self.lens.is_pinhole() && !is_hidden && !is_off;
+        let is_whole = self.lens.is_pinhole() && mask.is_none() && !alpha_hides && !is_off;
         // copy it, if resampling would not change it
         let copied = (is_whole && self.factor == 1).then(|| decoded.colors()).flatten();
         let image = match copied {
             Some(colors) => Photograph::new([width, height], colors, None)?,
             None => self.resample(is_whole, texel)?,
         };
-        if !(is_hidden || self.lens.cut.is_some()) && image.is_hidden() {
+        let may_be_hidden = mask.is_some() || alpha_hides || self.lens.cut.is_some();
+        if !may_be_hidden && image.is_hidden() {
             let reason = "the lens's coefficients leave no pixel of the photograph; check them";
             return invalid(&self.path, reason);
         }
@@ -168,9 +165,6 @@ impl Shot {
         for (index, pixel) in pixels.iter_mut().enumerate() {
             let column = index as u32 % width;
             let row = index as u32 / width;
-            if self.cells.is_some_and(|cells| !cells.has([column, row], [width, height])) {
-                continue;
-            }
             if let Some(color) = mean([column * factor, row * factor], factor, sample) {
                 let [red, green, blue, opaque] = color.map(to_8_bit);
                 *pixel = [red, green, blue];

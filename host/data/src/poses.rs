@@ -172,18 +172,7 @@ impl Poses {
         self.dataset.prepared += usize::from(prepared);
         let name = camera.file_path.clone().unwrap_or_default();
         let pose = camera.camera_to_world;
-        let shot = Shot {
-            name,
-            path,
-            mask,
-            camera,
-            pose,
-            lens,
-            factor,
-            held_out,
-            cells: None,
-            trained: None,
-        };
+        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out, trained: None };
         self.shots.extend(panorama::views_of(shot));
         Ok(())
     }

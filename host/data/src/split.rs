@@ -10,14 +10,16 @@ use organza_core::{Camera, Result};
 use rayon::prelude::*;
 use sha2::{Digest as _, Sha256};
 
-use super::block::{Block, Cells, POINTS, SIDE, is_within};
+use super::block::{Block, POINTS, is_within};
 use super::fingerprint::digits;
 use super::{Point, Poses, ply};
 
+/// A photograph is divided into so many columns and rows, in which the nearest point counts.
+const CELLS: usize = 16;
 /// Most points that are looked at: others are left out evenly.
 const MAX_POINTS: usize = 100_000;
 /// Part of a photograph that must show a block, so that the block takes it.
-const MIN_SHARE: f64 = 0.03;
+const MIN_SHARE: f64 = 0.1;
 /// The border of a block, as a part of the side of a mean block.
 const BORDER: f64 = 0.1;
 /// Part of the places that is left out at each end of an axis, so that a few far ones do not matter.
@@ -44,24 +46,10 @@ pub struct Split {
     pub notes: Vec<String>,
 }
 
-/// What a photograph shows: places, and if there are points, these and their cells, each a row and a column.
-#[derive(Default)]
+/// What a photograph shows: places, and the indices of the points that lie at a quarter of them, if there are points.
 struct Look {
     places: Vec<[f64; 3]>,
-    points: Vec<([usize; 2], usize)>,
-}
-
-impl Look {
-    /// The cells that show a block or its border, and those around them. Where no point is near, nothing is known, and all counts.
-    fn cells(&self, sides: Sides, border: f64) -> Cells {
-        let [mut known, mut shown] = [Cells::default(); 2];
-        for (([row, column], _), place) in self.points.iter().zip(&self.places) {
-            known.0[*row] |= 1 << column;
-            shown.0[*row] |= u16::from(is_within(sides, border, *place)) << column;
-        }
-        let known = known.widened();
-        Cells(std::array::from_fn(|row| shown.0[row] | !known.0[row])).widened()
-    }
+    points: Vec<usize>,
 }
 
 type Sides = [[Option<f64>; 2]; 2];
@@ -100,26 +88,14 @@ impl Split {
             return invalid(&dataset.path, reason);
         }
         notes.extend(doubts(&cameras, &taken, &sides));
-        let cells = |(sides, taken): (&Sides, &Vec<usize>)| -> Vec<_> {
-            taken.iter().map(|&camera| looks[camera].cells(*sides, border)).collect()
-        };
-        let cells: Vec<_> = sides.iter().zip(&taken).map(cells).collect();
-        let points = |(block, sides): (usize, &Sides)| {
+        let points = |(sides, taken): (&Sides, &Vec<usize>)| {
             let is_inside = |point: &Point| is_within(*sides, border, point.position);
             let all = dataset.points.iter().enumerate();
             let inside = all.filter(|(_, point)| is_inside(point)).map(|(index, _)| index);
-            // a quarter of what else is seen
-            let shown = |(&camera, cells): (&usize, &Cells)| {
-                let is_used = |[row, column]: [usize; 2]| {
-                    row % 2 + column % 2 == 0 && cells.0[row] >> column & 1 == 1
-                };
-                let points = looks[camera].points.iter().filter(|(cell, _)| is_used(*cell));
-                points.map(|(_, point)| *point).collect::<Vec<_>>()
-            };
-            let shown = taken[block].iter().zip(&cells[block]).flat_map(shown);
+            let shown = taken.iter().flat_map(|&camera| looks[camera].points.iter().copied());
             inside.chain(shown).collect::<BTreeSet<_>>().into_iter().collect()
         };
-        let points = sides.iter().enumerate().map(points).collect();
+        let points = sides.iter().zip(&taken).map(points).collect();
         let names = |of: &Vec<usize>| {
             of.iter().filter_map(|&camera| cameras[camera].file_path.clone()).collect()
         };
@@ -132,11 +108,9 @@ impl Split {
             sides,
             border,
             frames: names(&taken[index]),
-            cells: if dataset.points.is_empty() { Vec::new() } else { cells[index].clone() },
         };
         let mut blocks: Vec<_> = sides.iter().copied().enumerate().map(block).collect();
-        let told =
-            |of: &Block| format!("{:?}{:?}{:?}{:?}", of.placement, of.sides, of.frames, of.cells);
+        let told = |of: &Block| format!("{:?}{:?}{:?}", of.placement, of.sides, of.frames);
         let hash = blocks.iter().fold(Sha256::new(), |hash, block| hash.chain_update(told(block)));
         let split = digits(hash, 16);
         blocks.iter_mut().for_each(|block| block.split.clone_from(&split));
@@ -167,18 +141,18 @@ fn looks(cameras: &[Camera], points: &[Point]) -> Vec<Look> {
     let stride = points.len().div_ceil(MAX_POINTS).max(1);
     let distance = Target::from_cameras(cameras).distance;
     let cell = |camera: &Camera, [column, row]: [f64; 2]| {
-        let at = |place: f64, side: u32| (place / f64::from(side) * SIDE as f64) as usize;
+        let at = |place: f64, side: u32| (place / f64::from(side) * CELLS as f64) as usize;
         [at(row, camera.height), at(column, camera.width)]
     };
     let look = |camera: &Camera| {
         if points.is_empty() {
             let eye = DVec3::from(camera.eye());
             let along = |at: usize| {
-                let [x, y] = [at % SIDE, at / SIDE].map(|at| (at as f64 + 0.5) / SIDE as f64);
+                let [x, y] = [at % CELLS, at / CELLS].map(|at| (at as f64 + 0.5) / CELLS as f64);
                 let ray = camera.ray([x * f64::from(camera.width), y * f64::from(camera.height)]);
                 DISTANCES.map(|times| (eye + times * distance * ray).to_array())
             };
-            let places = (0..SIDE * SIDE).flat_map(along).collect();
+            let places = (0..CELLS * CELLS).flat_map(along).collect();
             return Look { places, points: Vec::new() };
         }
         let mut nearest = BTreeMap::new();
@@ -190,8 +164,8 @@ fn looks(cameras: &[Camera], points: &[Point]) -> Vec<Look> {
             }
         }
         let places = nearest.values().map(|(_, index)| points[*index].position).collect();
-        let points = nearest.into_iter().map(|(cell, (_, index))| (cell, index)).collect();
-        Look { places, points }
+        let coarse = nearest.iter().filter(|([row, column], _)| row % 2 + column % 2 == 0);
+        Look { places, points: coarse.map(|(_, (_, index))| *index).collect() }
     };
     cameras.par_iter().map(look).collect()
 }

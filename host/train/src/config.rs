@@ -57,12 +57,10 @@ impl DataConfig {
     }
 }
 
-/// Number of valid pixels of the photographs to train on.
+/// Number of pixels of the photographs to train on.
 #[must_use]
 pub fn pixels(dataset: &Dataset) -> f64 {
-    let all = |frame: &Frame| frame.image.pixels().len();
-    let valid = |valid: &[bool]| valid.iter().filter(|valid| **valid).count();
-    let pixels = |frame: &Frame| frame.image.valid().map_or_else(|| all(frame), valid) as f64;
+    let pixels = |frame: &Frame| f64::from(frame.camera.width) * f64::from(frame.camera.height);
     dataset.train_frames().map(pixels).sum()
 }
 

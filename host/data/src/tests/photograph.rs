@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::PathBuf;
 
-use super::super::block::Cells;
 use super::super::develop::Shot;
 use super::super::lens::{Lens, Undistortion};
 use super::*;
@@ -25,18 +24,8 @@ fn camera(width: u32, height: u32) -> Camera {
 
 fn shot(path: PathBuf, camera: Camera, lens: Lens) -> Shot {
     let name = "a".to_owned();
-    Shot {
-        name,
-        path,
-        mask: None,
-        camera,
-        pose: POSE,
-        lens,
-        factor: 1,
-        held_out: false,
-        cells: None,
-        trained: None,
-    }
+    let mask = None;
+    Shot { name, path, mask, camera, pose: POSE, lens, factor: 1, held_out: false, trained: None }
 }
 
 /// A photograph to be reduced by `factor`.
@@ -71,35 +60,6 @@ fn sizes_and_masks_are_checked() {
     assert_facts(Photograph::new([2, 1], pixels, Some(vec![])), &["2 pixels, not 0"]);
     let image = Image::new(3, 2).unwrap();
     assert_eq!(Photograph::from(&image), Photograph::new([3, 2], vec![[0; 3]; 6], None).unwrap());
-}
-
-/// Of a pixel's place in its image, whatever its size, and whether it is reduced.
-#[test]
-fn cells_hide_the_pixels_outside_of_them() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("ramp.png");
-    ramp(&path, 40, 24);
-    let digits = format!("{:0<36}0005{:0<24}", "8000", "");
-    let cells = Cells::try_from(digits.clone()).unwrap();
-    assert_eq!(String::from(cells), digits);
-    for factor in [1, 2] {
-        let shot = smaller_shot(path.clone(), camera(40, 24), Lens::default(), factor);
-        let whole = shot.developed().unwrap().image;
-        let image = Shot { cells: Some(cells), ..shot }.developed().unwrap().image;
-        let [width, height] = [image.width(), image.height()];
-        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-            let cell = [f64::from(x) / f64::from(width), f64::from(y) / f64::from(height)];
-            let cell = cell.map(|part| (16.0 * part) as u32);
-            let is_used = [[15, 0], [0, 9], [2, 9]].contains(&cell);
-            assert_eq!(image.is_valid(x, y), is_used, "{x}, {y}");
-            assert!(!is_used || image.color(x, y) == whole.color(x, y));
-        }
-    }
-    let widened = String::from(cells.widened());
-    assert_eq!(widened, format!("c000c000{:0<24}000f000f000f{:0<20}", "", ""));
-    for bad in ["", "00", &"0".repeat(65), &"g".repeat(64), &"é".repeat(32)] {
-        assert!(Cells::try_from(bad.to_owned()).is_err(), "{bad}");
-    }
 }
 
 /// Bilinear sampling keeps linear ramps, so a pixel's color is its origin.

@@ -95,6 +95,11 @@ impl GridConfig {
         (self.levels as usize).saturating_mul(self.features as usize)
     }
 
+    /// The resolution of the finest level, in cells per axis.
+    pub fn finest_resolution(&self) -> u32 {
+        self.levels_geometry().last().map_or(0, |level| level.resolution)
+    }
+
     fn scale(&self, level: u32) -> f64 {
         // powf and not powi: the reference's `growth ** level` is the C library's pow, too. A difference in the last
         // bit would change the ceil.

@@ -131,7 +131,7 @@ impl Scene {
             ("color_grid", &self.config.color_grid),
             ("transmittance_grid", &self.config.transmittance_grid),
         ] {
-            let finest = grid.levels_geometry().last().map_or(0, |level| level.resolution);
+            let finest = grid.finest_resolution();
             if finest > FINE_RESOLUTION {
                 warnings.push(format!(
                     "the finest level of {name} has resolution {finest}: above {FINE_RESOLUTION} \

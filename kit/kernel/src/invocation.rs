@@ -100,7 +100,7 @@ impl Invocation {
     pub fn are_among(&self, count: u32, items: u32) -> bool {
         let is_line = self.size.y == 1 && self.size.z == 1;
         let at = if is_line { self.index() } else { self.global().x };
-        items >= count && at <= items - count
+        crate::lane::are_below(at, count, items)
     }
 
     /// Waits for the whole workgroup. Afterwards, everything that it wrote to workgroup memory is visible. What it wrote to storage

@@ -13,10 +13,6 @@ pub use crate::regions::{RegionRuns, RegionsRun};
 pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
 pub use crate::stop::Scope;
 
-/// Whether kernels are checked while they run, as in debug builds of this crate.
-#[doc(hidden)]
-pub const IS_CHECKED: bool = cfg!(debug_assertions);
-
 /// The way in which a kernel uses a binding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Access {

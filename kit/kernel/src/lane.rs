@@ -153,13 +153,11 @@ pub trait LaneIndex: Copy + BitXor<Output = Self> + BitAnd<Output = Self> {
     fn lane(self, lane: u32) -> u32;
 }
 
-/// Methods of which each is a few instructions.
-macro_rules! inlined {
-    ($($(#[$attribute:meta])* fn $name:ident $([$($generics:tt)*])? ($($parameter:tt)*) $(-> $result:ty)? $body:block)*) => {$(
-        #[inline(always)]
-        $(#[$attribute])*
-        fn $name $(<$($generics)*>)? ($($parameter)*) $(-> $result)? $body
-    )*};
+/// Whether `count` neighbors are all below `end`, from `first` on.
+#[cfg(not(target_arch = "spirv"))]
+#[inline(always)]
+pub(crate) const fn are_below(first: u32, count: u32, end: u32) -> bool {
+    end >= count && first <= end - count
 }
 
 impl Lane for f32 {
@@ -171,105 +169,235 @@ impl Lane for f32 {
     type Mask = bool;
     type Index = u32;
 
-    inlined! {
-        fn splat(value: f32) -> Self { value }
-        fn ramp() -> Self { 0.0 }
-        fn mul_add(self, a: Self, b: Self) -> Self { self * a + b }
-        fn min(self, other: Self) -> Self { if self < other { self } else { other } }
-        fn max(self, other: Self) -> Self { if self > other { self } else { other } }
-        fn less(self, other: Self) -> bool { self < other }
-        fn less_equal(self, other: Self) -> bool { self <= other }
-        fn select(mask: bool, yes: Self, no: Self) -> Self { if mask { yes } else { no } }
-        fn both(a: bool, b: bool) -> bool { a && b }
-        fn any(mask: bool) -> bool { mask }
-        fn sqrt(self) -> Self { crate::scalar::sqrt(self) }
-        fn exp(self) -> Self {
-            #[cfg(target_arch = "spirv")]
-            {
-                Float::exp(self)
-            }
-            #[cfg(not(target_arch = "spirv"))]
-            {
-                libm::expf(self)
-            }
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn ramp() -> Self {
+        0.0
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> bool {
+        self <= other
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn both(a: bool, b: bool) -> bool {
+        a && b
+    }
+
+    #[inline(always)]
+    fn any(mask: bool) -> bool {
+        mask
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        crate::scalar::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn exp(self) -> Self {
+        #[cfg(target_arch = "spirv")]
+        {
+            Float::exp(self)
         }
-        fn truncate(self) -> Self { crate::scalar::truncate(self) }
-        #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-        fn index(self) -> u32 {
-            crate::scalar::to_u32(self)
+        #[cfg(not(target_arch = "spirv"))]
+        {
+            libm::expf(self)
         }
-        fn materialize(self) -> Self { self }
-        fn sum(self) -> f32 { self }
-        fn lane(self, _: u32) -> f32 { self }
-        fn read(buffer: Read<f32>, first: u32) -> Self { buffer.read(first) }
-        fn read_written(buffer: Write<f32>, first: u32) -> Self { buffer.read(first) }
-        fn read_below(buffer: Read<f32>, first: u32, end: u32) -> Self {
-            if first < end { buffer.read(first) } else { 0.0 }
-        }
-        fn read_shared[const LEN: usize](values: Shared<f32, LEN>, first: u32) -> Self {
-            values.read(first)
-        }
-        fn gather(buffer: Read<f32>, at: u32) -> Self { buffer.read(at) }
-        fn gather_shared[const LEN: usize](values: Shared<f32, LEN>, at: u32) -> Self {
-            values.read(at)
-        }
-        fn gather_two(buffer: Read<f32>, at: u32) -> [Self; 2] {
-            [buffer.read(at), buffer.read(at + 1)]
-        }
-        fn gather_halves(buffer: Read<u32>, at: u32) -> [Self; 2] {
-            let word = buffer.read(at);
-            [normal_half_value(word & 0xffff), normal_half_value(word >> 16)]
-        }
-        fn write(self, buffer: Write<f32>, first: u32) { buffer.write(first, self); }
-        fn write_shared[const LEN: usize](self, values: Shared<f32, LEN>, first: u32) {
+    }
+
+    #[inline(always)]
+    fn truncate(self) -> Self {
+        crate::scalar::truncate(self)
+    }
+
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    fn index(self) -> u32 {
+        crate::scalar::to_u32(self)
+    }
+
+    #[inline(always)]
+    fn materialize(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn sum(self) -> f32 {
+        self
+    }
+
+    #[inline(always)]
+    fn lane(self, _: u32) -> f32 {
+        self
+    }
+
+    #[inline(always)]
+    fn read(buffer: Read<f32>, first: u32) -> Self {
+        buffer.read(first)
+    }
+
+    #[inline(always)]
+    fn read_written(buffer: Write<f32>, first: u32) -> Self {
+        buffer.read(first)
+    }
+
+    #[inline(always)]
+    fn read_below(buffer: Read<f32>, first: u32, end: u32) -> Self {
+        if first < end { buffer.read(first) } else { 0.0 }
+    }
+
+    #[inline(always)]
+    fn read_shared<const LEN: usize>(values: Shared<f32, LEN>, first: u32) -> Self {
+        values.read(first)
+    }
+
+    #[inline(always)]
+    fn gather(buffer: Read<f32>, at: u32) -> Self {
+        buffer.read(at)
+    }
+
+    #[inline(always)]
+    fn gather_shared<const LEN: usize>(values: Shared<f32, LEN>, at: u32) -> Self {
+        values.read(at)
+    }
+
+    #[inline(always)]
+    fn gather_two(buffer: Read<f32>, at: u32) -> [Self; 2] {
+        [buffer.read(at), buffer.read(at + 1)]
+    }
+
+    #[inline(always)]
+    fn gather_halves(buffer: Read<u32>, at: u32) -> [Self; 2] {
+        let word = buffer.read(at);
+        [normal_half_value(word & 0xffff), normal_half_value(word >> 16)]
+    }
+
+    #[inline(always)]
+    fn write(self, buffer: Write<f32>, first: u32) {
+        buffer.write(first, self);
+    }
+
+    #[inline(always)]
+    fn write_shared<const LEN: usize>(self, values: Shared<f32, LEN>, first: u32) {
+        values.write(first, self);
+    }
+
+    #[inline(always)]
+    fn write_shared_below<const LEN: usize>(self, values: Shared<f32, LEN>, first: u32, end: u32) {
+        if first < end {
             values.write(first, self);
         }
-        fn write_shared_below[const LEN: usize](self, values: Shared<f32, LEN>, first: u32, end: u32) {
-            if first < end {
-                values.write(first, self);
-            }
+    }
+
+    #[inline(always)]
+    fn add_fixed(self, mask: bool, sum: Write<impl SumWord>, at: u32) {
+        if mask {
+            atomic::add_wide(sum, at, fixed::words(self));
         }
-        fn add_fixed(self, mask: bool, sum: Write<impl SumWord>, at: u32) {
-            if mask {
-                atomic::add_wide(sum, at, fixed::words(self));
-            }
+    }
+
+    #[inline(always)]
+    fn add_fixed_two<const M: usize>(
+        values: [[Self; 2]; M],
+        mask: bool,
+        sum: Write<impl SumWord>,
+        at: [u32; M],
+    ) {
+        let mut i = 0;
+        while i < M && mask {
+            atomic::add_wide(sum, at[i], fixed::words(values[i][0]));
+            atomic::add_wide(sum, at[i] + 1, fixed::words(values[i][1]));
+            i += 1;
         }
-        fn add_fixed_two[const M: usize](
-            values: [[Self; 2]; M],
-            mask: bool,
-            sum: Write<impl SumWord>,
-            at: [u32; M],
-        ) {
-            let mut i = 0;
-            while i < M && mask {
-                atomic::add_wide(sum, at[i], fixed::words(values[i][0]));
-                atomic::add_wide(sum, at[i] + 1, fixed::words(values[i][1]));
-                i += 1;
-            }
+    }
+
+    #[inline(always)]
+    fn expect_fixed(_: Write<impl SumWord>, _: u32) {}
+
+    #[inline(always)]
+    fn take_fixed(sum: Write<u32>, first: u32) -> Self {
+        fixed::take(sum, first)
+    }
+
+    #[inline(always)]
+    fn flag(mask: bool, flags: Write<u32>, at: u32, block: u32) {
+        if mask {
+            atomic::raise(flags, at / block, 1);
         }
-        fn expect_fixed(_: Write<impl SumWord>, _: u32) {}
-        fn take_fixed(sum: Write<u32>, first: u32) -> Self { fixed::take(sum, first) }
-        fn flag(mask: bool, flags: Write<u32>, at: u32, block: u32) {
-            if mask {
-                atomic::raise(flags, at / block, 1);
-            }
-        }
-        fn is_flagged(flags: Write<u32>, at: u32, block: u32) -> bool {
-            flags.atomic_load(at / block) != 0
-        }
+    }
+
+    #[inline(always)]
+    fn is_flagged(flags: Write<u32>, at: u32, block: u32) -> bool {
+        flags.atomic_load(at / block) != 0
     }
 }
 
 impl LaneIndex for u32 {
     type Mask = bool;
 
-    inlined! {
-        fn splat(value: u32) -> Self { value }
-        fn wrapping_add(self, other: Self) -> Self { u32::wrapping_add(self, other) }
-        fn wrapping_sub(self, other: Self) -> Self { u32::wrapping_sub(self, other) }
-        fn wrapping_mul(self, other: Self) -> Self { u32::wrapping_mul(self, other) }
-        fn less(self, other: Self) -> bool { self < other }
-        fn select(mask: bool, yes: Self, no: Self) -> Self { if mask { yes } else { no } }
-        fn lane(self, _: u32) -> u32 { self }
+    #[inline(always)]
+    fn splat(value: u32) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn wrapping_add(self, other: Self) -> Self {
+        u32::wrapping_add(self, other)
+    }
+
+    #[inline(always)]
+    fn wrapping_sub(self, other: Self) -> Self {
+        u32::wrapping_sub(self, other)
+    }
+
+    #[inline(always)]
+    fn wrapping_mul(self, other: Self) -> Self {
+        u32::wrapping_mul(self, other)
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn lane(self, _: u32) -> u32 {
+        self
     }
 }

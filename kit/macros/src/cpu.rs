@@ -16,35 +16,33 @@ pub fn cpu_run(kernel: &Kernel, has_regions: bool) -> TokenStream {
         let lane = one_lane(kernel);
         let run = invocation_run(kernel, false, &hygienic!(self::#name #lane (id, #(#names),*)));
         let regions = regions::name(kernel);
+        let runs = |is_plain: bool| match &kernel.lanes {
+            None => hygienic!(self::#regions::<#is_plain>),
+            Some(_) => hygienic! {
+                ::muslin::kernel::lane_runs!(#regions(
+                    regions: &::muslin::regions::Regions,
+                    bindings: &[::muslin::kernel::CpuBinding]
+                ) -> ::core::result::Result<(), ::muslin::regions::Failure>; { #is_plain })
+            },
+        };
+        let [plain, watched] = [true, false].map(runs);
         // debug builds watch always
-        let [plain, watched] = [hygienic!({ !::muslin::kernel::IS_CHECKED }), hygienic!({ false })];
+        let plain = hygienic!(::muslin::checked!((watched) else (#plain)));
         let run = match (has_regions, &kernel.lanes) {
             (false, _) => hygienic!(Invocation(#run)),
-            (true, None) => hygienic! {
-                Regions(
-                    ::muslin::kernel::RegionRuns {
-                        plain: self::#regions::<#plain>,
-                        watched: self::#regions::<#watched>,
-                    },
-                    #run,
-                )
-            },
-            (true, Some(_)) => {
-                let runs = [plain, watched].map(|plain| {
-                    hygienic! {
-                        ::muslin::kernel::lane_runs!(#regions(
-                            regions: &::muslin::regions::Regions,
-                            bindings: &[::muslin::kernel::CpuBinding]
-                        ) -> ::core::result::Result<(), ::muslin::regions::Failure>; #plain)
-                    }
-                });
-                hygienic!(LaneRegions([#(#runs),*], #run))
+            (true, None) => {
+                hygienic!(Regions(::muslin::kernel::RegionRuns { plain: #plain, watched }, #run))
             }
+            (true, Some(_)) => hygienic!(LaneRegions([#plain, watched], #run)),
         };
+        let watched = has_regions.then(|| hygienic!(let watched = #watched;));
         let whole = whole(kernel);
         return hygienic! {
             #whole
-            const fn run() -> ::muslin::kernel::CpuRun { ::muslin::kernel::CpuRun::#run }
+            const fn run() -> ::muslin::kernel::CpuRun {
+                #watched
+                ::muslin::kernel::CpuRun::#run
+            }
         };
     }
     let views = views(kernel, false);

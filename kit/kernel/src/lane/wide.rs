@@ -6,7 +6,7 @@ use crate::atomic::{self, SumWord};
 use crate::casts::check_cast;
 use crate::fixed;
 use crate::half::normal_half_value;
-use crate::lane::{Lane, LaneIndex};
+use crate::lane::{Lane, LaneIndex, are_below};
 use crate::memory::{Read, Shared, Touch, Write};
 use crate::scalar::integral;
 
@@ -192,8 +192,8 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[inline(always)]
     #[track_caller]
     fn read_below(buffer: Read<f32>, first: u32, end: u32) -> Self {
-        let whole = end >= Self::WIDTH && first <= end - Self::WIDTH;
-        if whole { Self::read(buffer, first) } else { Self(read_some(buffer, first, end)) }
+        let is_whole = are_below(first, Self::WIDTH, end);
+        if is_whole { Self::read(buffer, first) } else { Self(read_some(buffer, first, end)) }
     }
 
     #[inline(always)]
@@ -246,7 +246,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[inline(always)]
     #[track_caller]
     fn write_shared_below<const LEN: usize>(self, values: Shared<f32, LEN>, first: u32, end: u32) {
-        if end >= Self::WIDTH && first <= end - Self::WIDTH {
+        if are_below(first, Self::WIDTH, end) {
             return self.write_shared(values, first);
         }
         let mut i = 0;

@@ -140,9 +140,7 @@ fn bad_inputs_are_refused() {
     sandbox.assert_refuses("capture notes.txt -o run", &["run holds a training run"]);
     let outcome = sandbox.shell("PATH=/nowhere \"$ORGANZA\" capture notes.txt -o data");
     outcome.assert_refused(&["not installed: ffmpeg colmap", "apt install ffmpeg colmap"]);
-    sandbox
-        .shell("mkdir bin && printf '#!/bin/sh\n' > bin/ffmpeg && chmod +x bin/ffmpeg")
-        .assert_ok();
+    sandbox.write_program("ffmpeg", "#!/bin/sh\n");
     let outcome = sandbox.shell("PATH=\"$PWD/bin\" \"$ORGANZA\" capture notes.txt -o data");
     outcome.assert_refused(&["not installed: colmap. colmap finds", "https://colmap.github.io"]);
     assert!(!outcome.stderr.contains("ffmpeg"), "{outcome:?}");
@@ -174,59 +172,10 @@ fn bad_inputs_are_refused() {
 
 /// Stands in for COLMAP: it refuses options that are not in the file `known`. Its mapper finds the models of the folder
 /// `found-1`, then `found-2`.
-const COLMAP: &str = r#"#!/bin/sh
-case "$1 $2" in
-    help*) echo "COLMAP $(sed -n 's/^colmap //p' known) -- Structure-from-Motion" && exit ;;
-    *-h*) sed -n "s/^$1 \(.*\)/  \1 arg (=1)/p" known && exit ;;
-esac
-echo "$@" >> calls.txt
-step=$1
-while [ $# -gt 1 ]; do
-    shift
-    case $1 in
-        --*) grep -qxe "$step $1" known || { echo "unrecognised option '$1'" >&2 && exit 1; } ;;
-    esac
-    case $1 in
-        --image_path) images=$2 ;;
-        --input_path) input=$2 ;;
-        --output_path) output=$2 ;;
-    esac
-    shift
-done
-case $step in
-    feature_extractor) [ ! -e broken ] || exit 1 ;;
-    mapper) cp -r found-$(grep -c ^mapper calls.txt)/* "$output" ;;
-    image_undistorter) cp -r "$images" "$output/images" && cp -r "$input" "$output/sparse" ;;
-esac
-"#;
+const COLMAP: &str = include_str!("stand_ins/colmap.sh");
 
 /// Stands in for ffmpeg, for a video of 60 frames. The last 20 have the size that the file `second-size` says.
-const FFMPEG: &str = r#"#!/bin/sh
-here=$PWD
-cd "${0%/*}/.."
-case "$*" in
-    -version) echo "ffmpeg version $(sed -n 's/^ffmpeg //p' known) Copyright" && exit ;;
-    *"-h filter"*) echo "Unknown filter" && exit ;;
-esac
-for last; do
-    case $last in
-        -|-[0-9]*) ;;
-        -*) grep -qxe "$last" known || { echo "[error] Unrecognized option '${last#-}'." >&2 && exit 8; } ;;
-    esac
-done
-echo "ffmpeg $@" >> calls.txt
-size=$(cat second-size 2>/dev/null || echo 960x540)
-trc=$(cat transfer 2>/dev/null || echo bt709)
-case $last in
-    -)  for frame in $(seq 60); do
-            [ $frame -gt 40 ] && now=$size || now=960x540
-            echo "[Parsed_showinfo_0 @ 0x1] [info] n: $frame pts: 1 fmt:yuv420p sar:1/1 s:$now i:P iskey:1" >&2
-            echo "[Parsed_showinfo_0 @ 0x1] [info] color_range:tv color_trc:$trc" >&2
-        done
-        head -c $((60 * 960 * 540)) /dev/zero ;;
-    *) for frame in $(seq $(echo "$@" | grep -o 'eq(n' | wc -l)); do cp photos/00.png "$here/$(printf "$last" $frame)"; done ;;
-esac
-"#;
+const FFMPEG: &str = include_str!("stand_ins/ffmpeg.sh");
 
 /// Options that ffmpeg 5.1 to 9.0 and COLMAP 3.8 to 4.1 know, by their sources and helps.
 const KNOWN: [(&str, &str); 6] = [
@@ -319,12 +268,8 @@ fn write_model(sandbox: &Sandbox, folder: &str, found: &[PosedImage], error: f64
 /// A sandbox with the newest of the programs above, and with 12 photographs.
 fn with_programs() -> Sandbox {
     let sandbox = Sandbox::new("tiny");
-    for folder in ["bin", "photos"] {
-        sandbox.make_folder(folder);
-    }
-    sandbox.write("bin/colmap", COLMAP);
-    sandbox.write("bin/ffmpeg", FFMPEG);
-    sandbox.shell("chmod +x bin/*").assert_ok();
+    sandbox.write_program("colmap", COLMAP);
+    sandbox.write_program("ffmpeg", FFMPEG);
     write_known(&sandbox, VERSIONS[2]);
     for (photo, name) in photos(12).enumerate() {
         write_photo(&sandbox, &format!("photos/{name}"), [8, 6], photo);

@@ -3,7 +3,6 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -49,47 +48,10 @@ const NOT_RUN: &[(&str, &str)] = &[
 const BUILT_IN: [&str; 3] = ["README.md", "docs/editing.md", "docs/splats.md"];
 
 /// The program, with options that make it quick.
-const ORGANZA: &str = r#"#!/bin/sh
-has() { case " $words " in *" $1 "*) true ;; *) false ;; esac; }
-words="$*"
-case "$1" in
-  train)
-    # a page shows several ways to begin a run of one name
-    begun=$(printf '%s' "$words" | sed -n 's/.* -o \([^ ]*\).*/\1/p')
-    [ -z "$begun" ] || rm -rf "$begun"
-    # more steps than before, but few: also in the place of the minutes that choose their number
-    steps=$(($(cat .steps 2>/dev/null || echo 2) + 1))
-    echo "$steps" > .steps
-    set -- $(echo "$words" | sed "s/--minutes [0-9.]*/--steps $steps/; s/--steps [0-9]*/--steps $steps/; \
-        s/--time-limit [0-9]*/--time-limit 1/")
-    if ! has --resume && ! has --print-config; then
-      for setting in run.steps=2 run.tiles_per_step=2 run.tile_size=16 run.tiles_per_view=1 \
-          data.built_in_views=2 data.built_in_side=16 start.gaussians=100 densification.max_gaussians=200; do
-        set -- "$@" --set "$setting"
-      done
-      # the built-in scene takes longer than the run
-      case "$2" in
-        -*) [ ! -d photographs ] || has --config || set -- "$@" --set data.path=photographs ;;
-      esac
-    fi ;;
-  demo) set -- "$@" --views 2 --size 32 ;;
-  film) set -- "$@" --frames 2 ;;
-  export-web) has --size || set -- "$@" --size 64x48 ;;
-  export | import) set -- "$@" --steps 1 --side 16 ;;
-esac
-case "$1" in
-  train | demo | eval | render | film | tiles | export-web | export | import | edit) has --backend || has --print-config || set -- "$@" --backend cpu ;;
-esac
-exec "$PROGRAM" "$@"
-"#;
+const ORGANZA: &str = include_str!("stand_ins/organza.sh");
 
 /// Replaces cargo: it only runs the program.
-const CARGO: &str = r#"#!/bin/sh
-[ "$1" = run ] || { echo "cargo $1 is not for this test" >&2; exit 97; }
-while [ "$1" != -- ]; do shift; done
-shift
-exec organza "$@"
-"#;
+const CARGO: &str = include_str!("stand_ins/cargo.sh");
 
 /// A block of code on a page.
 #[derive(Debug)]
@@ -134,16 +96,11 @@ fn commands(text: &str) -> Vec<String> {
 /// [`BUILT_IN`] train on the built-in scene, other pages on photographs.
 fn prepare(page: &str, blocks: &[Block]) -> Sandbox {
     let sandbox = Sandbox::new("tiny");
-    let bin = sandbox.path("bin");
-    fs::create_dir(&bin).unwrap();
-    for (name, script) in [("organza", ORGANZA), ("cargo", CARGO)] {
-        fs::write(bin.join(name), script).unwrap();
-        fs::set_permissions(bin.join(name), fs::Permissions::from_mode(0o755)).unwrap();
-    }
+    sandbox.write_program("organza", ORGANZA);
+    sandbox.write_program("cargo", CARGO);
     // not everybody has it, and it is not under test
     if Command::new("jq").arg("--version").output().is_err() {
-        fs::write(bin.join("jq"), "#!/bin/sh\ncat\n").unwrap();
-        fs::set_permissions(bin.join("jq"), fs::Permissions::from_mode(0o755)).unwrap();
+        sandbox.write_program("jq", "#!/bin/sh\ncat\n");
     }
     let texts = blocks.iter().filter(|block| block.page == page).map(|block| &block.text);
     let words = texts.flat_map(|text| text.split_whitespace());

@@ -78,26 +78,16 @@ fn bad_options_are_refused_at_once() {
 /// Replaces ffmpeg, so that tests do not need it. It can fail on demand.
 #[cfg(unix)]
 mod mp4 {
-    use std::os::unix::fs::PermissionsExt;
     use std::path::PathBuf;
 
     use super::*;
 
     /// The output file has the input bytes. A file beside the program has the arguments.
-    const FFMPEG: &str = r#"#!/bin/sh
-[ "$1" = -version ] && exit 0
-[ -e "${0%/*}/broken" ] && { echo "no space on the moon" >&2; exit 3; }
-echo "$@" > "${0%/*}/arguments"
-for last; do :; done
-cat > "$last"
-"#;
+    const FFMPEG: &str = include_str!("stand_ins/encoder.sh");
 
     fn ffmpeg(sandbox: &Sandbox) -> PathBuf {
-        let bin = sandbox.path("bin");
-        fs::create_dir(&bin).unwrap();
-        fs::write(bin.join("ffmpeg"), FFMPEG).unwrap();
-        fs::set_permissions(bin.join("ffmpeg"), fs::Permissions::from_mode(0o755)).unwrap();
-        bin
+        sandbox.write_program("ffmpeg", FFMPEG);
+        sandbox.path("bin")
     }
 
     fn run(sandbox: &Sandbox, words: &str, path: &str) -> Outcome {

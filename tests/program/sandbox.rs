@@ -171,6 +171,15 @@ impl Sandbox {
         fs::write(path, content).unwrap();
     }
 
+    /// Writes a program, which is a script, to the folder `bin`.
+    #[cfg(unix)]
+    pub fn write_program(&self, name: &str, script: &str) {
+        let name = format!("bin/{name}");
+        self.write(&name, script);
+        let mode = std::os::unix::fs::PermissionsExt::from_mode(0o755);
+        fs::set_permissions(self.path(&name), mode).unwrap();
+    }
+
     #[track_caller]
     pub fn copy_file(&self, from: &str, to: &str) {
         self.write(to, self.read(from));

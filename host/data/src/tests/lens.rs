@@ -1,5 +1,7 @@
 //! Compares the lens with OpenCV.
 
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 
 use super::super::lens::{Lens, Projection, Undistortion};
@@ -17,60 +19,11 @@ const PORTRAIT: ([u32; 2], [f64; 4]) = ([270, 480], [343.88, 343.6225, 138.6395,
 /// Positions of pixel centers according to OpenCV 5.0: `cv2.projectPoints` of `((x + 0.5 - cx) / fl_x, (y + 0.5 - cy)
 /// / fl_y, 1)` with the camera matrix of `cx - 0.5` and `cy - 0.5` (OpenCV's pixels have their centers at whole
 /// numbers) and the coefficients `(k1, k2, p1, p2, k3)`, plus 0.5. `cv2.initUndistortRectifyMap` gave the same, in
-/// f32.
-type Table = [([u32; 2], [f64; 2]); 5];
-const PHONE: Table = [
-    ([0, 0], [-0.116033784, -0.854650846]),
-    ([269, 0], [270.282068777, -1.090749564]),
-    ([17, 479], [17.038782344, 480.266858848]),
-    ([135, 240], [135.499982900, 240.499964329]),
-    ([200, 100], [201.080780661, 99.134881739]),
-];
-const BARREL: Table = [
-    ([0, 0], [46.635323253, 35.281476517]),
-    ([639, 0], [593.094396916, 35.422132574]),
-    ([17, 479], [58.424564003, 447.227839185]),
-    ([320, 240], [320.499988898, 240.500023940]),
-    ([200, 100], [204.755011303, 105.495988787]),
-];
-const PINCUSHION: Table = [
-    ([0, 0], [-21.703278230, -15.975074727]),
-    ([639, 0], [661.306522797, -15.807784527]),
-    ([17, 479], [-2.292189271, 495.203432475]),
-    ([320, 240], [320.499998546, 240.500003878]),
-    ([200, 100], [198.752816721, 98.503219110]),
-];
-const TILTED: Table = [
-    ([0, 0], [-11.029778611, -0.176316525]),
-    ([639, 0], [622.197921389, 11.957654475]),
-    ([17, 479], [1.324551447, 490.655016287]),
-    ([320, 240], [320.499719889, 240.500366769]),
-    ([200, 100], [198.671623157, 100.584598769]),
-];
+/// f32. `full` has the coefficients `(k1, k2, p1, p2, k3, k4, k5, k6)`, and the last two are from `cv2.fisheye.projectPoints`.
+const TABLES: &str = include_str!("opencv.json");
 
-/// From `cv2.projectPoints` with the coefficients `(k1, k2, p1, p2, k3, k4, k5, k6)`.
-const FULL: Table = [
-    ([0, 0], [37.348001468, 28.390182410]),
-    ([639, 0], [602.266608860, 28.562787900]),
-    ([17, 479], [49.878448686, 454.008460720]),
-    ([320, 240], [320.499987973, 240.500026408]),
-    ([200, 100], [203.713090618, 104.305222289]),
-];
-/// From `cv2.fisheye.projectPoints`.
-const FISHEYE: Table = [
-    ([0, 0], [133.353197779, 99.078522436]),
-    ([639, 0], [508.258412510, 98.647675798]),
-    ([17, 479], [140.064147565, 382.255688681]),
-    ([320, 240], [320.500023148, 240.499938272]),
-    ([200, 100], [220.564577445, 123.430945652]),
-];
-const EQUIDISTANT: Table = [
-    ([0, 0], [137.597110204, 102.227551765]),
-    ([639, 0], [504.043667373, 101.799629741]),
-    ([17, 479], [144.103540171, 379.050771420]),
-    ([320, 240], [320.500025437, 240.499932168]),
-    ([200, 100], [221.823748848, 124.869998683]),
-];
+/// Pixels, and their positions.
+type Table = [([u32; 2], [f64; 2]); 5];
 
 fn fisheye(radial: [f64; 4]) -> Lens {
     Lens { projection: Projection::Fisheye, radial, ..Lens::default() }
@@ -80,18 +33,19 @@ fn fisheye(radial: [f64; 4]) -> Lens {
 fn places_match_opencv() {
     let denominator = [0.52, -0.07, 0.011];
     let full = Lens { denominator, ..lens([0.31, -0.12, 0.018], [0.0012, -0.0007]) };
+    let tables: BTreeMap<&str, Table> = serde_json::from_str(TABLES).unwrap();
     for ((size, intrinsics), lens, table) in [
-        (PORTRAIT, lens([0.0578421, -0.0805099, 0.0], [-0.000980296, 0.00015575]), PHONE),
-        (WIDE, lens([-0.28, 0.09, -0.015], [0.0012, -0.0007]), BARREL),
-        (WIDE, lens([0.11, 0.0, 0.0], [0.0, 0.0]), PINCUSHION),
-        (WIDE, lens([0.0, 0.0, 0.0], [0.01, -0.02]), TILTED),
-        (WIDE, full, FULL),
-        (ROUND, fisheye([0.03, -0.012, 0.004, -0.0011]), FISHEYE),
-        (ROUND, fisheye([0.0; 4]), EQUIDISTANT),
+        (PORTRAIT, lens([0.0578421, -0.0805099, 0.0], [-0.000980296, 0.00015575]), "phone"),
+        (WIDE, lens([-0.28, 0.09, -0.015], [0.0012, -0.0007]), "barrel"),
+        (WIDE, lens([0.11, 0.0, 0.0], [0.0, 0.0]), "pincushion"),
+        (WIDE, lens([0.0, 0.0, 0.0], [0.01, -0.02]), "tilted"),
+        (WIDE, full, "full"),
+        (ROUND, fisheye([0.03, -0.012, 0.004, -0.0011]), "fisheye"),
+        (ROUND, fisheye([0.0; 4]), "equidistant"),
     ] {
         let camera = camera(size, intrinsics);
         let way = Undistortion::new(&camera, &lens);
-        for (pixel, expected) in table {
+        for (pixel, expected) in tables[table] {
             let [x, y] = pixel.map(|place| f64::from(place) + 0.5);
             let [across, down] = [(x - camera.cx) / camera.fl_x, (y - camera.cy) / camera.fl_y];
             let bent = lens.project(DVec3::new(across, down, 1.0));

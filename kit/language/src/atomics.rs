@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 
 use muslin_check::prelude::*;
+use muslin_language_kernels::CountParams;
 use muslin_language_kernels::atomics::{
-    AtomicParams, AtomicsInputs, DistinctInputs, ELEMENTS, EMPTY, FIRSTS, FLAG_COUNT, FLAGS,
-    MAX_VALUES, TableParams, WORKGROUP, first_signed, first_unsigned,
+    AtomicsInputs, DistinctInputs, ELEMENTS, EMPTY, FIRSTS, FLAG_COUNT, FLAGS, MAX_VALUES,
+    TableParams, WORKGROUP, first_signed, first_unsigned,
 };
 
 case!(pub Atomics(AtomicsInputs));
@@ -54,7 +55,7 @@ impl Parity for Atomics {
             let values = (0..count).map(|at| value(at, random)).collect();
             let elements = 0..ELEMENTS as u32;
             Self(AtomicsInputs {
-                params: AtomicParams { count },
+                params: CountParams { count },
                 values,
                 unsigned: elements.clone().map(first_unsigned).collect(),
                 signed: elements.map(first_signed).collect(),

@@ -2,7 +2,8 @@
 
 use muslin::math::HUGE;
 use muslin_check::prelude::*;
-use muslin_language_kernels::core_functions::{CoreFunctionsInputs, CoreParams, ROWS, WORKGROUP};
+use muslin_language_kernels::CountParams;
+use muslin_language_kernels::core_functions::{CoreFunctionsInputs, ROWS, WORKGROUP};
 
 case!(pub CoreFunctions(CoreFunctionsInputs));
 
@@ -31,7 +32,7 @@ impl Parity for CoreFunctions {
         let integers = |of: &[usize]| of.iter().map(|&at| INTEGERS[at]).collect();
         let floats = |of: &[usize]| of.iter().map(|&at| FLOATS[at]).collect();
         let output = unwritten(a.len() * ROWS as usize);
-        let params = CoreParams { count: a.len() as u32 };
+        let params = CountParams { count: a.len() as u32 };
         let [u, v] = [&a, &b].map(|of| integers(of));
         let [x, y] = [&a, &b].map(|of| floats(of));
         vec![("edges".into(), Self(CoreFunctionsInputs { params, u, v, x, y, output }))]

@@ -2,7 +2,8 @@
 
 use muslin::math::MAX_ANGLE;
 use muslin_check::prelude::*;
-use muslin_language_kernels::elementary::{ElementaryInputs, ElementaryParams, FUNCTIONS};
+use muslin_language_kernels::CountParams;
+use muslin_language_kernels::elementary::{ElementaryInputs, FUNCTIONS};
 
 case!(pub Elementary(ElementaryInputs));
 
@@ -33,7 +34,7 @@ impl Parity for Elementary {
                 .map(|size| if count % 2 == 0 { size.exp() } else { 1.0 + 0.01 * size });
             let positive = positive.collect();
             let output = unwritten(FUNCTIONS.len() * len);
-            Self(ElementaryInputs { params: ElementaryParams { count }, x, y, positive, output })
+            Self(ElementaryInputs { params: CountParams { count }, x, y, positive, output })
         })
     }
 

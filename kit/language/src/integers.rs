@@ -1,7 +1,8 @@
 //! The case of `integer_functions`: integers of 64 bits, and numbers in f64, give the same bits in another way.
 
 use muslin_check::prelude::*;
-use muslin_language_kernels::integers::{FUNCTIONS, IntegerFunctionsInputs, IntegerParams};
+use muslin_language_kernels::CountParams;
+use muslin_language_kernels::integers::{FUNCTIONS, IntegerFunctionsInputs};
 
 use crate::core_functions::INTEGERS;
 use crate::elementary::nearest_half;
@@ -59,7 +60,7 @@ impl Parity for IntegerFunctions {
             )
             .collect();
         let words = unwritten(FUNCTIONS.len() * u.len());
-        let params = IntegerParams { count: u.len() as u32 };
+        let params = CountParams { count: u.len() as u32 };
         vec![("edges".into(), Self(IntegerFunctionsInputs { params, u, v, x, y, words }))]
     }
 

@@ -1,10 +1,11 @@
 //! The cases of `language.rs`.
 
 use muslin_check::prelude::*;
+use muslin_language_kernels::CountParams;
 use muslin_language_kernels::language::{
     AS_WRITTEN_ROWS, AsWrittenInputs, BYTES, ByteHistogramInputs, COMPARED_ROWS, ComparedInputs,
-    KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, RowParams, ScanAndShuffleInputs,
-    SharesInputs, SortParams, SortRowsInputs,
+    KeepPositiveInputs, MAX_COLUMNS, MAX_ROW, RowParams, ScanAndShuffleInputs, SharesInputs,
+    SortParams, SortRowsInputs,
 };
 
 case!(pub ByteHistogram(ByteHistogramInputs));
@@ -14,7 +15,7 @@ impl Parity for ByteHistogram {
         inputs::sets(|count, _, random| {
             let bytes = (0..count).map(|_| random.bits() as u8).collect();
             let halves = (0..count).map(|_| random.bits() as u16).collect();
-            let params = LanguageParams { count };
+            let params = CountParams { count };
             Self(ByteHistogramInputs { params, bytes, halves, bins: vec![0; 2 * BYTES] })
         })
     }
@@ -36,7 +37,7 @@ impl Parity for Shares {
         inputs::sets(|count, _, random| {
             let values = random.values(count as usize, 0.1, 1.0);
             let shares = unwritten(values.len());
-            Self(SharesInputs { params: LanguageParams { count }, values, shares })
+            Self(SharesInputs { params: CountParams { count }, values, shares })
         })
     }
 
@@ -118,7 +119,7 @@ impl Parity for ScanAndShuffle {
         inputs::sets(|count, _, random| {
             let values = (0..count).map(|_| random.bits()).collect();
             let found = unwritten(5 * count as usize);
-            Self(ScanAndShuffleInputs { params: LanguageParams { count }, values, found })
+            Self(ScanAndShuffleInputs { params: CountParams { count }, values, found })
         })
     }
 
@@ -216,7 +217,7 @@ impl AsWritten {
 impl Parity for AsWritten {
     fn sets() -> Vec<(String, Self)> {
         let [x, y] = pairs();
-        let params = LanguageParams { count: x.len() as u32 };
+        let params = CountParams { count: x.len() as u32 };
         let bits = vec![0; AS_WRITTEN_ROWS * x.len()];
         vec![("pairs".into(), Self(AsWrittenInputs { params, x, y, bits }))]
     }
@@ -251,7 +252,7 @@ case!(pub Compared(ComparedInputs));
 impl Parity for Compared {
     fn sets() -> Vec<(String, Self)> {
         let [x, y] = pairs();
-        let params = LanguageParams { count: x.len() as u32 };
+        let params = CountParams { count: x.len() as u32 };
         let found = vec![0; COMPARED_ROWS * x.len()];
         vec![("pairs".into(), Self(ComparedInputs { params, x, y, found }))]
     }

@@ -1,7 +1,8 @@
 //! The case of `loops`.
 
 use muslin_check::prelude::*;
-use muslin_language_kernels::loops::{LoopParams, LoopsInputs};
+use muslin_language_kernels::CountParams;
+use muslin_language_kernels::loops::LoopsInputs;
 
 case!(pub Loops(LoopsInputs));
 
@@ -9,7 +10,7 @@ impl Parity for Loops {
     fn sets() -> Vec<(String, Self)> {
         let pairs = (0..8).flat_map(|a| (0..8).map(move |b| (a, b)));
         let (a, b): (Vec<u32>, Vec<u32>) = pairs.unzip();
-        let params = LoopParams { count: a.len() as u32 };
+        let params = CountParams { count: a.len() as u32 };
         let output = unwritten(8 * a.len());
         vec![("pairs".into(), Self(LoopsInputs { params, a, b, output }))]
     }

@@ -3,9 +3,10 @@
 use muslin::glam::{IVec4, UVec4, Vec4};
 use muslin_check::number::Number;
 use muslin_check::prelude::*;
+use muslin_language_kernels::CountParams;
 use muslin_language_kernels::vectors::{
     FLOAT_METHODS, FloatVectorsInputs, SIGNED_METHODS, SignedVectorsInputs, UNSIGNED_METHODS,
-    UnsignedVectorsInputs, VectorParams,
+    UnsignedVectorsInputs,
 };
 
 use crate::core_functions::INTEGERS;
@@ -259,7 +260,7 @@ impl Parity for FloatVectors {
         };
         let n = n.into_iter().enumerate().map(unit).map(Vec4::normalize).collect();
         let values = unwritten(3 * FLOAT_METHODS.len() * COUNT);
-        let params = VectorParams { count: COUNT as u32 };
+        let params = CountParams { count: COUNT as u32 };
         vec![("edges".into(), Self(FloatVectorsInputs { params, x, y, a, b, n, values }))]
     }
 
@@ -379,7 +380,7 @@ macro_rules! integers {
                 let small: Vec<i64> = ($low..100).collect();
                 let [a, b, n] = [&small, &small, &vec![$($divisor),*]].map(|values| of(values));
                 let values = unwritten(3 * $methods.len() * COUNT);
-                let params = VectorParams { count: COUNT as u32 };
+                let params = CountParams { count: COUNT as u32 };
                 vec![("edges".into(), Self($inputs { params, x, y, a, b, n, values }))]
             }
 

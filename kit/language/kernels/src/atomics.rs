@@ -2,12 +2,7 @@
 
 use muslin::prelude::*;
 
-/// Parameters of [`atomics`].
-#[params]
-pub struct AtomicParams {
-    /// Values.
-    pub count: u32,
-}
+use crate::CountParams;
 
 /// Invocations of a workgroup.
 pub const WORKGROUP: u32 = 64;
@@ -92,7 +87,7 @@ fn multiply_shared(array: Shared<u32, ELEMENTS>, factor: u32) {
 #[kernel(threads(WORKGROUP), over(params.count), iterations = 2 * TRIES)]
 pub fn atomics(
     id: Invocation,
-    params: &AtomicParams,
+    params: &CountParams,
     values: Read<u32>,
     unsigned: Write<u32>,
     signed: Write<i32>,

@@ -8,18 +8,13 @@ use core::cmp::Ordering;
 use muslin::math;
 use muslin::prelude::*;
 
+use crate::CountParams;
+
 /// Rows of [`core_functions`].
 pub const ROWS: u32 = 112;
 
 /// Invocations of a workgroup.
 pub const WORKGROUP: usize = 64;
-
-/// Parameters of [`core_functions`].
-#[params]
-pub struct CoreParams {
-    /// Items.
-    pub count: u32,
-}
 
 /// An enum without `#[repr(u32)]`: GPUs have no integers of 8 bits.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -56,7 +51,7 @@ struct Arguments {
 #[kernel(threads(WORKGROUP), over(params.count * ROWS), iterations = 20)]
 pub fn core_functions(
     id: Invocation,
-    params: &CoreParams,
+    params: &CountParams,
     u: Read<u32>,
     v: Read<u32>,
     x: Read<f32>,

@@ -3,17 +3,10 @@
 use muslin::math::*;
 use muslin::prelude::*;
 
-use crate::rows;
+use crate::{CountParams, rows};
 
 /// Invocations of a workgroup.
 const WORKGROUP: u32 = 64;
-
-/// Parameters of [`elementary`].
-#[params]
-pub struct ElementaryParams {
-    /// Numbers.
-    pub count: u32,
-}
 
 macro_rules! functions {
     ([$x:ident, $y:ident, $p:ident]; $($name:literal: $value:expr,)*) => {
@@ -24,7 +17,7 @@ macro_rules! functions {
         #[kernel(threads(WORKGROUP), over(params.count))]
         pub fn elementary(
             id: Invocation,
-            params: &ElementaryParams,
+            params: &CountParams,
             x: Read<f32>,
             y: Read<f32>,
             positive: Read<f32>,

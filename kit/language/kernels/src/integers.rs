@@ -4,14 +4,7 @@ use muslin::half::half_bits;
 use muslin::math::*;
 use muslin::prelude::*;
 
-use crate::rows;
-
-/// Parameters of [`integer_functions`].
-#[params]
-pub struct IntegerParams {
-    /// Pairs.
-    pub count: u32,
-}
+use crate::{CountParams, rows};
 
 macro_rules! functions {
     ([$u:ident, $v:ident, $x:ident, $y:ident]; $($name:literal: $value:expr,)*) => {
@@ -22,7 +15,7 @@ macro_rules! functions {
         #[kernel(threads(64), over(params.count))]
         pub fn integer_functions(
             id: Invocation,
-            params: &IntegerParams,
+            params: &CountParams,
             u: Read<u32>,
             v: Read<u32>,
             x: Read<f32>,

@@ -4,14 +4,7 @@ use muslin::math::HUGE;
 use muslin::prelude::*;
 use muslin::subgroup::{SIZES, lanes, lanes_before};
 
-use crate::rows;
-
-/// Parameters of the kernels of this module.
-#[params]
-pub struct LanguageParams {
-    /// Items.
-    pub count: u32,
-}
+use crate::{CountParams, rows};
 
 /// Values of a byte.
 pub const BYTES: usize = 256;
@@ -22,7 +15,7 @@ const BINS: usize = 2 * BYTES;
 #[kernel(threads(BYTES), over(params.count))]
 pub fn byte_histogram(
     id: Invocation,
-    params: &LanguageParams,
+    params: &CountParams,
     bytes: Packed<u8>,
     halves: Packed<u16>,
     bins: Write<u32>,
@@ -46,7 +39,7 @@ pub fn byte_histogram(
 #[kernel(threads(64), over(params.count), lanes(count), iterations = 6)]
 pub fn shares<L: Lane>(
     id: Invocation,
-    params: &LanguageParams,
+    params: &CountParams,
     values: Read<f32>,
     shares: Write<f32>,
     sums: Shared<f32, 64>,
@@ -207,7 +200,7 @@ pub fn keep_positive(
 #[kernel(threads(ROW), over(params.count), subgroups)]
 pub fn scan_and_shuffle(
     id: Invocation,
-    params: &LanguageParams,
+    params: &CountParams,
     values: Read<u32>,
     found: Write<u32>,
 ) {
@@ -257,7 +250,7 @@ pub const AS_WRITTEN_ROWS: usize = 24;
 #[kernel(threads(64), over(params.count))]
 pub fn as_written(
     id: Invocation,
-    params: &LanguageParams,
+    params: &CountParams,
     x: Read<f32>,
     y: Read<f32>,
     bits: Write<u32>,
@@ -306,7 +299,7 @@ pub const COMPARED_ROWS: usize = 20;
 #[kernel(threads(64), over(params.count))]
 pub fn compared(
     id: Invocation,
-    params: &LanguageParams,
+    params: &CountParams,
     x: Read<f32>,
     y: Read<f32>,
     found: Write<u32>,

@@ -11,6 +11,13 @@ pub mod language;
 pub mod loops;
 pub mod vectors;
 
+/// Parameters of a kernel over a number of items.
+#[muslin::prelude::params]
+pub struct CountParams {
+    /// Items: values, pairs or rows.
+    pub count: u32,
+}
+
 /// Writes values to one element of each row of an output.
 macro_rules! rows {
     ($output:ident [$count:expr] at $index:expr; $($value:expr,)*) => {

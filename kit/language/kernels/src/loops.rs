@@ -2,18 +2,11 @@
 
 use muslin::prelude::*;
 
-use crate::rows;
-
-/// Parameters of [`loops()`].
-#[params]
-pub struct LoopParams {
-    /// Pairs of numbers.
-    pub count: u32,
-}
+use crate::{CountParams, rows};
 
 /// `output [8, count]`: what loops leave behind, of `a` and `b`, both `[count]` and below 8.
 #[kernel(threads(64), over(params.count), iterations = 120)]
-pub fn loops(id: Invocation, params: &LoopParams, a: Read<u32>, b: Read<u32>, output: Write<u32>) {
+pub fn loops(id: Invocation, params: &CountParams, a: Read<u32>, b: Read<u32>, output: Write<u32>) {
     let index = id.index();
     if index < params.count {
         let [a, b] = [a.read(index), b.read(index)];

@@ -4,14 +4,7 @@
 use muslin::glam::swizzles::{Vec2Swizzles, Vec3Swizzles, Vec4Swizzles};
 use muslin::prelude::*;
 
-use crate::rows;
-
-/// Parameters of the kernels here.
-#[params]
-pub struct VectorParams {
-    /// Items.
-    pub count: u32,
-}
+use crate::{CountParams, rows};
 
 /// What a method gives, as four numbers.
 trait Four<T> {
@@ -159,7 +152,7 @@ macro_rules! methods {
         #[kernel(threads(64), over(params.count))]
         pub fn $kernel(
             id: Invocation,
-            params: &VectorParams,
+            params: &CountParams,
             x: Read<$four>,
             y: Read<$four>,
             a: Read<$four>,

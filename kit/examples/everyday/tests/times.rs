@@ -6,7 +6,7 @@ use std::time::Instant;
 use glam::{Vec2, Vec3};
 use muslin::math::unpack_half_2x16;
 use muslin_check::{devices, inputs::Random};
-use muslin_device::{Device, Result};
+use muslin_device::{Buffer, Device, Result};
 use muslin_everyday::*;
 use muslin_everyday_kernels::blur::GridParams;
 use muslin_everyday_kernels::matrix::ProductParams;
@@ -44,212 +44,200 @@ struct Subject {
     device: Prepare,
 }
 
+fn subject<R>(
+    name: &'static str,
+    rust: impl Fn() -> R + 'static,
+    device: impl Fn(&Device) -> Result<Run<'_>> + 'static,
+) -> Subject {
+    let rust = Box::new(move || drop(std::hint::black_box(rust())));
+    Subject { name, rust, device: Box::new(device) }
+}
+
+/// Inputs of the test, which live as long as it.
+fn kept<T>(values: impl IntoIterator<Item = T>) -> &'static [T] {
+    Vec::leak(values.into_iter().collect())
+}
+
 fn subjects() -> Vec<Subject> {
-    let values = Random::new(1).values(COUNT, 0.0, 1.0);
+    let values = kept(Random::new(1).values(COUNT, 0.0, 1.0));
     let mut random = Random::new(2);
-    let words: Vec<u32> = (0..COUNT).map(|_| random.bits() % 200).collect();
-    let keys: Vec<u32> = (0..COUNT / 4).map(|_| random.bits()).collect();
-    let bytes: Vec<u8> = words.iter().map(|word| *word as u8).collect();
-    let matrix = Random::new(3).values((SIDE * SIDE) as usize, -1.0, 1.0);
-    let picture = Random::new(4).values((WIDE * WIDE) as usize, 0.0, 1.0);
-    let mut all = Vec::new();
-    let given = values.clone();
-    let own = values.clone();
-    all.push(Subject {
-        name: "sum of 2^22",
-        rust: Box::new(move || {
-            std::hint::black_box(own.par_iter().sum::<f32>());
-        }),
-        device: Box::new(move |device| {
-            let values = device.upload("values", &given)?;
-            Ok(Box::new(move || sum::sum(device, &values).map(drop)))
-        }),
-    });
-    for (name, of) in [
-        ("prefix sum of 2^22, in passes", prefix_sum::in_passes as fn(&_, &_) -> _),
-        ("prefix sum of 2^22, looking back", prefix_sum::look_back),
-    ] {
-        let own = words.clone();
-        let given = words.clone();
-        all.push(Subject {
+    let words = kept((0..COUNT).map(|_| random.bits() % 200));
+    let keys = kept((0..COUNT / 4).map(|_| random.bits()));
+    let bytes = kept(words.iter().map(|word| *word as u8));
+    let matrix = kept(Random::new(3).values((SIDE * SIDE) as usize, -1.0, 1.0));
+    let halves = kept(matrix.iter().map(|value| (value * 64.0).round() / 64.0));
+    let picture = kept(Random::new(4).values((WIDE * WIDE) as usize, 0.0, 1.0));
+    let pixels = kept(picture.iter().map(|value| value.to_bits()));
+    let prefix_sum = |name, of: fn(&Device, &Buffer<u32>) -> Result<Buffer<u32>>| {
+        subject(
             name,
-            rust: Box::new(move || drop(std::hint::black_box(prefix(&own)))),
-            device: Box::new(move |device| {
-                let values = device.upload("values", &given)?;
+            || prefix(words),
+            move |device| {
+                let values = device.upload("values", words)?;
                 Ok(Box::new(move || of(device, &values).and_then(|all| done(device, &all))))
-            }),
-        });
-    }
-    let own = keys.clone();
-    all.push(Subject {
-        name: "radix sort of 2^20 pairs",
-        rust: Box::new(move || {
-            let mut pairs: Vec<_> = own.iter().copied().zip(0_u32..).collect();
-            pairs.par_sort_by_key(|(key, _)| *key);
-            std::hint::black_box(pairs);
-        }),
-        device: Box::new(move |device| {
-            let values: Vec<_> = (0..keys.len() as u32).collect();
-            let keys = device.upload("keys", &keys)?;
-            let values = device.upload("values", &values)?;
-            Ok(Box::new(move || {
-                let (sorted, _) = radix_sort::radix_sort(device, &keys, &values)?;
-                done(device, &sorted)
-            }))
-        }),
-    });
-    let own = bytes.clone();
-    all.push(Subject {
-        name: "histogram of 2^22",
-        rust: Box::new(move || {
-            let count = |mut bins: Vec<u32>, value: &u8| {
-                bins[usize::from(*value)] += 1;
-                bins
-            };
-            let add = |a: Vec<u32>, b: Vec<u32>| a.iter().zip(&b).map(|(a, b)| a + b).collect();
-            let bins = own.par_iter().fold(|| vec![0; 256], count).reduce(|| vec![0; 256], add);
-            std::hint::black_box(bins);
-        }),
-        device: Box::new(move |device| {
-            let values = device.upload("values", &bytes)?;
-            Ok(Box::new(move || histogram::histogram(device, &values).map(drop)))
-        }),
-    });
-    let own = matrix.clone();
-    let own_halves = matrix.clone();
-    all.push(Subject {
-        name: "product of 512 x 512",
-        rust: Box::new(move || drop(std::hint::black_box(product(&own, &own)))),
-        device: Box::new(move |device| {
-            let matrix = device.upload("matrix", &matrix)?;
-            let params = ProductParams { rows: SIDE, inner: SIDE, columns: SIDE };
-            Ok(Box::new(move || done(device, &matrix::product(device, params, &matrix, &matrix)?)))
-        }),
-    });
-    let halves: Vec<_> = own_halves.iter().map(|value| (value * 64.0).round() / 64.0).collect();
-    let own = halves.clone();
-    all.push(Subject {
-        name: "product of 512 x 512 halves, in tiles",
-        rust: Box::new(move || drop(std::hint::black_box(product(&own, &own)))),
-        device: Box::new(move |device| {
-            let matrix = device.upload("matrix", &matrix_tiles::words(&halves))?;
-            let params = TilesParams { rows: SIDE, inner: SIDE, columns: SIDE };
-            Ok(Box::new(move || {
-                done(device, &matrix_tiles::product(device, params, &matrix, &matrix)?)
-            }))
-        }),
-    });
-    let own = picture.clone();
-    let given = picture.clone();
-    all.push(Subject {
-        name: "blur 5 x 5 of 2048 x 2048",
-        rust: Box::new(move || drop(std::hint::black_box(blurred(&own)))),
-        device: Box::new(move |device| {
-            let input = device.upload("picture", &given)?;
-            let params = GridParams { width: WIDE, height: WIDE, rate: 0.0 };
-            Ok(Box::new(move || done(device, &blur::blur(device, params, &input)?)))
-        }),
-    });
-    let own: Vec<u32> = picture.iter().map(|value| value.to_bits()).collect();
-    let given = own.clone();
-    all.push(Subject {
-        name: "transpose of 2048 x 2048",
-        rust: Box::new(move || {
-            let side = WIDE as usize;
-            let row = |x: usize| (0..side).map(|y| own[y * side + x]).collect::<Vec<_>>();
-            std::hint::black_box((0..side).into_par_iter().flat_map_iter(row).collect::<Vec<_>>());
-        }),
-        device: Box::new(move |device| {
-            let input = device.upload("matrix", &given)?;
-            let params = TransposeParams { rows: WIDE, columns: WIDE };
-            Ok(Box::new(move || done(device, &transpose::transpose(device, params, &input)?)))
-        }),
-    });
-    let own = values.clone();
-    all.push(Subject {
-        name: "compaction of 2^22",
-        rust: Box::new(move || {
-            let kept = own.par_iter().copied().filter(|value| *value >= 0.5);
-            std::hint::black_box(kept.collect::<Vec<_>>());
-        }),
-        device: Box::new(move |device| {
-            let values = device.upload("values", &values)?;
-            Ok(Box::new(move || compact::compact(device, &values, 0.5).map(drop)))
-        }),
-    });
-    all.push(Subject {
-        name: "random numbers, PCG, 2^22",
-        rust: Box::new(|| {
-            let seed = pcg(1);
-            let numbers = (0..COUNT as u32).into_par_iter().map(|index| unit(pcg(index ^ seed)));
-            std::hint::black_box(numbers.collect::<Vec<_>>());
-        }),
-        device: Box::new(|device| {
-            Ok(Box::new(move || done(device, &random::pcg(device, COUNT as u32, 1)?)))
-        }),
-    });
-    all.extend(others());
-    all
+            },
+        )
+    };
+    let all = [
+        subject(
+            "sum of 2^22",
+            || values.par_iter().sum::<f32>(),
+            |device| {
+                let values = device.upload("values", values)?;
+                Ok(Box::new(move || sum::sum(device, &values).map(drop)))
+            },
+        ),
+        prefix_sum("prefix sum of 2^22, in passes", prefix_sum::in_passes),
+        prefix_sum("prefix sum of 2^22, looking back", prefix_sum::look_back),
+        subject(
+            "radix sort of 2^20 pairs",
+            || {
+                let mut pairs: Vec<_> = keys.iter().copied().zip(0_u32..).collect();
+                pairs.par_sort_by_key(|(key, _)| *key);
+                pairs
+            },
+            |device| {
+                let values: Vec<_> = (0..keys.len() as u32).collect();
+                let keys = device.upload("keys", keys)?;
+                let values = device.upload("values", &values)?;
+                Ok(Box::new(move || {
+                    let (sorted, _) = radix_sort::radix_sort(device, &keys, &values)?;
+                    done(device, &sorted)
+                }))
+            },
+        ),
+        subject(
+            "histogram of 2^22",
+            || {
+                let count = |mut bins: Vec<u32>, value: &u8| {
+                    bins[usize::from(*value)] += 1;
+                    bins
+                };
+                let add = |a: Vec<u32>, b: Vec<u32>| a.iter().zip(&b).map(|(a, b)| a + b).collect();
+                bytes.par_iter().fold(|| vec![0; 256], count).reduce(|| vec![0; 256], add)
+            },
+            |device| {
+                let values = device.upload("values", bytes)?;
+                Ok(Box::new(move || histogram::histogram(device, &values).map(drop)))
+            },
+        ),
+        subject(
+            "product of 512 x 512",
+            || product(matrix, matrix),
+            |device| {
+                let matrix = device.upload("matrix", matrix)?;
+                let params = ProductParams { rows: SIDE, inner: SIDE, columns: SIDE };
+                let product = move || matrix::product(device, params, &matrix, &matrix);
+                Ok(Box::new(move || done(device, &product()?)))
+            },
+        ),
+        subject(
+            "product of 512 x 512 halves, in tiles",
+            || product(halves, halves),
+            |device| {
+                let matrix = device.upload("matrix", &matrix_tiles::words(halves))?;
+                let params = TilesParams { rows: SIDE, inner: SIDE, columns: SIDE };
+                let product = move || matrix_tiles::product(device, params, &matrix, &matrix);
+                Ok(Box::new(move || done(device, &product()?)))
+            },
+        ),
+        subject(
+            "blur 5 x 5 of 2048 x 2048",
+            || blurred(picture),
+            |device| {
+                let input = device.upload("picture", picture)?;
+                let params = GridParams { width: WIDE, height: WIDE, rate: 0.0 };
+                Ok(Box::new(move || done(device, &blur::blur(device, params, &input)?)))
+            },
+        ),
+        subject(
+            "transpose of 2048 x 2048",
+            || {
+                let side = WIDE as usize;
+                let row = |x: usize| (0..side).map(|y| pixels[y * side + x]).collect::<Vec<_>>();
+                (0..side).into_par_iter().flat_map_iter(row).collect::<Vec<_>>()
+            },
+            |device| {
+                let input = device.upload("matrix", pixels)?;
+                let params = TransposeParams { rows: WIDE, columns: WIDE };
+                Ok(Box::new(move || done(device, &transpose::transpose(device, params, &input)?)))
+            },
+        ),
+        subject(
+            "compaction of 2^22",
+            || values.par_iter().copied().filter(|value| *value >= 0.5).collect::<Vec<_>>(),
+            |device| {
+                let values = device.upload("values", values)?;
+                Ok(Box::new(move || compact::compact(device, &values, 0.5).map(drop)))
+            },
+        ),
+        subject(
+            "random numbers, PCG, 2^22",
+            || {
+                let seed = pcg(1);
+                let numbers =
+                    (0..COUNT as u32).into_par_iter().map(|index| unit(pcg(index ^ seed)));
+                numbers.collect::<Vec<_>>()
+            },
+            |device| Ok(Box::new(move || done(device, &random::pcg(device, COUNT as u32, 1)?))),
+        ),
+    ];
+    all.into_iter().chain(others()).collect()
 }
 
 /// Subjects of pairs and of integers.
 fn others() -> [Subject; 4] {
     let mut random = Random::new(5);
-    let points: Vec<Vec2> = (0..COUNT / 16)
-        .map(|_| Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0)))
-        .collect();
-    let keys: Vec<u32> = (0..COUNT / 4).map(|_| random.below(COUNT as u32 / 16)).collect();
-    let terms: Vec<u32> =
-        (0..COUNT / 2).map(|_| random.below(0x3c00) << 16 | random.below(0x3c00)).collect();
-    let [own, given, of_clusters, of_device] = [(); 4].map(|()| points.clone());
-    let [counted, own_keys] = [(); 2].map(|()| keys.clone());
-    let own_terms = terms.clone();
+    let points = kept(
+        (0..COUNT / 16).map(|_| Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0))),
+    );
+    let keys = kept((0..COUNT / 4).map(|_| random.below(COUNT as u32 / 16)));
+    let terms = kept((0..COUNT / 2).map(|_| random.below(0x3c00) << 16 | random.below(0x3c00)));
     [
-        Subject {
-            name: "FFT of 2^18",
-            rust: Box::new(move || drop(std::hint::black_box(transformed(&own)))),
-            device: Box::new(move |device| {
-                let values = device.upload("values", &given)?;
+        subject(
+            "FFT of 2^18",
+            || transformed(points),
+            |device| {
+                let values = device.upload("values", points)?;
                 Ok(Box::new(move || done(device, &fft::fft(device, &values, -1.0)?)))
-            }),
-        },
-        Subject {
-            name: "k-means of 2^18 points, 16 centers, 4 rounds",
-            rust: Box::new(move || drop(std::hint::black_box(clustered(&of_clusters, 4)))),
-            device: Box::new(move |device| {
-                let centers = of_device[..CENTERS].to_vec();
-                let points = device.upload("points", &of_device)?;
-                Ok(Box::new(move || k_means::k_means(device, &points, &centers, 4).map(drop)))
-            }),
-        },
-        Subject {
-            name: "hash table of 2^20 keys, all looked up",
-            rust: Box::new(move || {
+            },
+        ),
+        subject(
+            "k-means of 2^18 points, 16 centers, 4 rounds",
+            || clustered(points, 4),
+            |device| {
+                let centers = &points[..CENTERS];
+                let points = device.upload("points", points)?;
+                Ok(Box::new(move || k_means::k_means(device, &points, centers, 4).map(drop)))
+            },
+        ),
+        subject(
+            "hash table of 2^20 keys, all looked up",
+            || {
                 let mut counts = HashMap::<u32, u32>::new();
-                own_keys.iter().for_each(|key| *counts.entry(*key).or_default() += 1);
-                let found = own_keys.par_iter().map(|key| counts[key]);
-                std::hint::black_box(found.collect::<Vec<_>>());
-            }),
-            device: Box::new(move |device| {
-                let keys = device.upload("keys", &counted)?;
+                keys.iter().for_each(|key| *counts.entry(*key).or_default() += 1);
+                keys.par_iter().map(|key| counts[key]).collect::<Vec<_>>()
+            },
+            |device| {
+                let keys = device.upload("keys", keys)?;
                 Ok(Box::new(move || done(device, &hash_table::occurrences(device, &keys, &keys)?)))
-            }),
-        },
-        Subject {
-            name: "2^22 halves, added to numbers",
-            rust: Box::new(move || {
-                let sums = own_terms.par_iter().map(|term| Vec2::ONE + unpack_half_2x16(*term));
-                std::hint::black_box(sums.collect::<Vec<_>>());
-            }),
-            device: Box::new(move |device| {
+            },
+        ),
+        subject(
+            "2^22 halves, added to numbers",
+            || {
+                let sums = terms.par_iter().map(|term| Vec2::ONE + unpack_half_2x16(*term));
+                sums.collect::<Vec<_>>()
+            },
+            |device| {
                 let numbers = device.upload("numbers", &vec![Vec2::ONE; terms.len()])?;
-                let terms = device.upload("terms", &terms)?;
+                let terms = device.upload("terms", terms)?;
                 Ok(Box::new(move || {
                     halves::add(device, &terms, &numbers)?;
                     done(device, &numbers)
                 }))
-            }),
-        },
+            },
+        ),
     ]
 }
 
@@ -298,7 +286,7 @@ fn clustered(points: &[Vec2], rounds: usize) -> Vec<Vec2> {
 }
 
 /// Waits for a result, and reads a value.
-fn done<T: bytemuck::Pod>(device: &Device, buffer: &muslin_device::Buffer<T>) -> Result<()> {
+fn done<T: bytemuck::Pod>(device: &Device, buffer: &Buffer<T>) -> Result<()> {
     device.read_range(buffer, 0, 1).map(drop)
 }
 

@@ -278,26 +278,7 @@ fn measure(blocks: &[Block<'_>]) -> Loop {
 mod tests {
     use super::*;
 
-    const TWO_LOOPS: &str = "
-BB0:
-\ts_mov_b32 s0, s3                 ; be800303
-BB1:
-\tv_mov_b32_e32 v0, v1             ; 7e000301
-BB2:
-\tbuffer_load_dword v2, v3, s[0:3], 0 offen ; e0301000 80010302
-\tv_fmac_f32_e32 v0, v2, v2        ; 56000502
-\tv_mul_lo_u32 v1, v1, s11         ; d5690001
-\ts_cbranch_scc1 BB2               ; bf85fffc
-BB3:
-\ts_branch BB1                     ; bf82fff8
-BB4:
-\ts_buffer_load_dword s0, s[12:15], null ; f4200006 fa000000
-\ts_cbranch_execz BB6              ; bf880001
-BB5:
-\ts_branch BB4                     ; bf82fffc
-BB6:
-\ts_endpgm                         ; bf810000
-";
+    const TWO_LOOPS: &str = include_str!("../tests/two_loops.txt");
 
     #[test]
     fn the_loops_that_hold_no_other_are_found() {

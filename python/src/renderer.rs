@@ -1,10 +1,11 @@
 //! Renderers, and scenes on their devices.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use numpy::PyArray4;
 use organza::{BackendChoice, Channel, DeviceOptions};
+use parking_lot::Mutex;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -12,7 +13,7 @@ use crate::cameras::{Cameras, Tiles};
 use crate::error::{invalid, raise};
 use crate::job;
 use crate::scene::{Scene, array};
-use crate::tape::{SceneOnDevice, Tape, into_batch, lock};
+use crate::tape::{SceneOnDevice, Tape, into_batch};
 
 /// Renders on a device.
 #[pyclass(frozen, subclass, module = "organza._organza")]
@@ -84,7 +85,7 @@ impl Renderer {
         let batch = tiles.0.clone();
         let channels = channels_of(&channels)?;
         let rendered = job::run(py, move || {
-            let scene = &lock(&held).scene;
+            let scene = &held.lock().scene;
             let cameras = cameras.in_scene(scene.config());
             renderer.render_channels(scene, &cameras, &batch, &channels, &mut |_, _| {})
         })?;
@@ -107,7 +108,7 @@ impl Renderer {
         let number = cameras.0.len();
         let channels = channels_of(&channels)?;
         let tape = job::run(py, move || {
-            let scene = &lock(&held).scene;
+            let scene = &held.lock().scene;
             let cameras = cameras.in_scene(scene.config());
             renderer.record_channels(scene, &cameras, &batch, &channels)
         })?;
@@ -135,7 +136,7 @@ impl DeviceScene {
     /// Raises `ValueError` if a tensor is unknown, of another shape or not finite. Tensors before it are written
     /// then.
     fn write(&self, py: Python<'_>, tensors: HashMap<String, Bound<'_, PyAny>>) -> PyResult<()> {
-        let specs = py.detach(|| lock(&self.held).scene.config().tensors(self.gaussians));
+        let specs = py.detach(|| self.held.lock().scene.config().tensors(self.gaussians));
         for (name, value) in tensors {
             let Some(spec) = specs.iter().find(|spec| spec.name == name) else {
                 return Err(invalid(format!("a scene has no tensor `{name}`")));
@@ -143,7 +144,7 @@ impl DeviceScene {
             let array = array(spec, &value)?;
             let values = array.as_slice()?;
             let device = self.renderer.device();
-            let write = || lock(&self.held).scene.write(device, &name, values);
+            let write = || self.held.lock().scene.write(device, &name, values);
             py.detach(write).map_err(raise)?;
         }
         Ok(())
@@ -153,7 +154,7 @@ impl DeviceScene {
     fn download(&self, py: Python<'_>) -> PyResult<Scene> {
         let held = Arc::clone(&self.held);
         let renderer = self.renderer.clone();
-        job::run(py, move || lock(&held).scene.download(renderer.device())).map(Scene::new)
+        job::run(py, move || held.lock().scene.download(renderer.device())).map(Scene::new)
     }
 
     fn __len__(&self) -> usize {

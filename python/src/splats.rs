@@ -16,7 +16,6 @@ use crate::error::{invalid, raise};
 use crate::job;
 use crate::renderer::{DeviceScene, Renderer};
 use crate::scene::Scene;
-use crate::tape::lock;
 
 /// Writes a scene as Gaussians. `uploaded` is the scene on the renderer's device.
 #[pyfunction]
@@ -69,7 +68,7 @@ pub fn export<'py>(
                 (None, Some(data)) => Views::from_data_set(data),
                 (None, None) => Views::around(scene.visible_box())?,
             };
-            let uploaded = &lock(&held).scene;
+            let uploaded = &held.lock().scene;
             let mut check_signals = |_| awaited();
             let found =
                 splats::distill(&renderer, &scene, uploaded, &views, fit, &mut check_signals)?;

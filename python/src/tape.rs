@@ -1,12 +1,13 @@
 //! Recorded batches, and their gradients.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 
 use numpy::{
     IntoPyArray, PyArray2, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods,
 };
 use organza::RenderedTiles;
 use organza::render::{POSE, SceneGradient};
+use parking_lot::Mutex;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -39,7 +40,7 @@ impl Tape {
         &self,
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyArray4<f32>>, Bound<'py, PyDict>)> {
-        into_batch(py, py.detach(|| lock(&self.tape).tiles().clone()))
+        into_batch(py, py.detach(|| self.tape.lock().tiles().clone()))
     }
 
     /// The gradient of a loss L with respect to every tensor, by name, given `grad_tiles [K, 3, S, S]`, dL/dY. Nothing is
@@ -57,14 +58,14 @@ impl Tape {
         let renderer = self.renderer.clone();
         let tape = Arc::clone(&self.tape);
         let values = job::run(py, move || {
-            let held = &mut *lock(&held);
+            let held = &mut *held.lock();
             let device = renderer.device();
             let gradient = match held.gradient.take() {
                 Some(gradient) => gradient,
                 None => SceneGradient::new(device, &held.scene)?,
             };
             let gradient = held.gradient.insert(gradient);
-            lock(&tape).backward_into(gradient, &grad_tiles)?;
+            tape.lock().backward_into(gradient, &grad_tiles)?;
             Ok(gradient.download(device, held.scene.config(), held.scene.len())?.into_values())
         })?;
         into_arrays(py, values)
@@ -84,10 +85,10 @@ impl Tape {
         let tape = Arc::clone(&self.tape);
         let cameras = self.cameras;
         let (values, poses) = job::run(py, move || {
-            let held = &*lock(&held);
+            let held = &*held.lock();
             let device = renderer.device();
             let gradient = SceneGradient::new(device, &held.scene)?.with_poses(device, cameras)?;
-            lock(&tape).backward_into(&gradient, &grad_tiles)?;
+            tape.lock().backward_into(&gradient, &grad_tiles)?;
             let config = held.scene.config();
             let values = gradient.download(device, config, held.scene.len())?.into_values();
             let mut poses = gradient.read_poses(device)?;
@@ -103,7 +104,7 @@ impl Tape {
 
     /// Frees the recorded data. `backward` then renders again.
     fn release(&self, py: Python<'_>) {
-        py.detach(|| lock(&self.tape).release());
+        py.detach(|| self.tape.lock().release());
     }
 }
 
@@ -122,11 +123,6 @@ impl Tape {
         }
         Ok(grad_tiles.as_slice()?.to_vec())
     }
-}
-
-/// Locks, also after a panic.
-pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Tiles `[K, 3, S, S]` as an array, and their channels by name.

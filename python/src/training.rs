@@ -1,9 +1,9 @@
 //! Training step by step: a thread trains, and Python asks it for the next event by messages.
 
 use std::path::{Path, PathBuf, absolute};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::thread::JoinHandle;
 
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray4};
@@ -12,6 +12,7 @@ use organza::data::DatasetOptions;
 use organza::render::{LossBatch, LossGradient, OwnLoss};
 use organza::train::report::Reporter;
 use organza::train::{self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, RunFolder, Session};
+use parking_lot::{Mutex, MutexGuard};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -230,25 +231,21 @@ impl Training {
     /// Saves, stops, and waits for the end.
     fn close(&self, py: Python<'_>) {
         self.stop();
-        py.detach(|| self.channel.lock().unwrap_or_else(PoisonError::into_inner).close());
+        py.detach(|| self.channel.lock().close());
     }
 }
 
 impl Training {
     /// Locks the channel. A waiting call holds the lock until the next event, so this must not wait.
     fn lock(&self) -> PyResult<MutexGuard<'_, Channel>> {
-        match self.channel.try_lock() {
-            Ok(channel) => Ok(channel),
-            Err(TryLockError::Poisoned(poisoned)) => Ok(poisoned.into_inner()),
-            Err(TryLockError::WouldBlock) => Err(invalid("another thread waits for this run")),
-        }
+        self.channel.try_lock().ok_or_else(|| invalid("another thread waits for this run"))
     }
 }
 
 impl Drop for Training {
     fn drop(&mut self) {
         self.stop();
-        let channel = self.channel.get_mut().unwrap_or_else(PoisonError::into_inner);
+        let channel = self.channel.get_mut();
         if channel.thread.is_some() {
             Python::attach(|py| py.detach(|| channel.close()));
         }

@@ -4,8 +4,8 @@ use std::collections::{BTreeSet, HashSet};
 use std::fs;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
 
+use parking_lot::Mutex;
 use rayon::prelude::*;
 
 use super::develop::Developed;
@@ -333,7 +333,7 @@ impl Poses {
         let progress = Mutex::new((0, progress));
         let develop = |shot: &Shot| {
             let developed = shot.develop(&options)?;
-            let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut progress = progress.lock();
             progress.0 += 1;
             let done = progress.0;
             (progress.1)(done, count);

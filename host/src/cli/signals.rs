@@ -3,12 +3,13 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
+use std::sync::{Arc, mpsc};
 use std::time::{Duration, Instant};
 use std::{io, thread};
 
 use organza::Result;
 use organza::train::RunFolder;
+use parking_lot::Mutex;
 
 use super::output::Folder;
 use super::{FAILURE, refuse};
@@ -38,7 +39,7 @@ impl Signals {
         let begun = signals.begun.clone();
         let handler = move || {
             // Held to the end, so that nothing starts while created folders are removed.
-            let begun = lock(&begun);
+            let begun = begun.lock();
             if !begun.keeps_results {
                 begun.remove();
                 end("stopped before training began; nothing was written");
@@ -59,7 +60,7 @@ impl Signals {
     /// Makes a run's folder, which is removed if it stays empty, and locks it. A signal waits meanwhile: it removes the folders that
     /// were made, and a lock by the name inside.
     pub fn lock_run(&self, path: &Path, resume: bool) -> Result<(Folder, RunFolder)> {
-        let mut begun = lock(&self.begun);
+        let mut begun = self.begun.lock();
         let folder = Folder::make(path)?;
         begun.folder = Some((path.to_owned(), folder.made().to_owned()));
         let locked = RunFolder::lock(path, resume)?;
@@ -68,7 +69,7 @@ impl Signals {
 
     /// From now on, a signal keeps the results.
     pub fn keeps_results(&self) {
-        lock(&self.begun).keeps_results = true;
+        self.begun.lock().keeps_results = true;
     }
 }
 
@@ -108,10 +109,6 @@ pub fn handle(mut handler: impl FnMut() + Send + 'static) -> Result<()> {
         unsafe { libc::signal(libc::SIGHUP, libc::SIG_IGN) };
     }
     Ok(())
-}
-
-fn lock(begun: &Mutex<Begun>) -> MutexGuard<'_, Begun> {
-    begun.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Ends the program, even while other threads are waiting.

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::net::IpAddr;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 
+use parking_lot::Mutex;
 use tokio::task::AbortHandle;
 
 /// Most connections.
@@ -56,7 +57,7 @@ impl Connections {
     /// cannot lock out those that have it. If there is none, the client is turned away: `serve` is not called.
     pub fn admit(self: &Arc<Self>, peer: IpAddr, serve: impl FnOnce(Place) -> AbortHandle) {
         let number = {
-            let mut state = self.lock();
+            let mut state = self.0.lock();
             if !state.make_room(peer) {
                 return;
             }
@@ -64,11 +65,7 @@ impl Connections {
             state.newest
         };
         let task = serve(Place { connections: Arc::clone(self), number });
-        self.lock().connections.insert(number, Connection { peer, has_token: false, task });
-    }
-
-    fn lock(&self) -> MutexGuard<'_, ConnectionsState> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.0.lock().connections.insert(number, Connection { peer, has_token: false, task });
     }
 }
 
@@ -82,7 +79,7 @@ pub struct Place {
 impl Place {
     /// The client has shown the token, so it keeps its place.
     pub fn keep(&self) {
-        if let Some(connection) = self.connections.lock().connections.get_mut(&self.number) {
+        if let Some(connection) = self.connections.0.lock().connections.get_mut(&self.number) {
             connection.has_token = true;
         }
     }
@@ -90,7 +87,7 @@ impl Place {
 
 impl Drop for Place {
     fn drop(&mut self) {
-        self.connections.lock().connections.remove(&self.number);
+        self.connections.0.lock().connections.remove(&self.number);
     }
 }
 
@@ -124,7 +121,7 @@ mod tests {
                 is_in
             };
             let numbers = |of: IpAddr| {
-                let state = connections.lock();
+                let state = connections.0.lock();
                 let own = state.connections.iter().filter(|(_, one)| one.peer == of);
                 own.map(|(number, _)| *number).collect::<Vec<_>>()
             };
@@ -133,7 +130,7 @@ mod tests {
             assert!((0..2 * MAX_OF_PEER).all(|_| admit(peer(1), false)));
             assert_eq!(numbers(peer(1)).len(), MAX_OF_PEER);
             assert!((0..300).all(|number| admit(peer(2 + number), false)));
-            assert_eq!(connections.lock().connections.len(), MAX_CONNECTIONS);
+            assert_eq!(connections.0.lock().connections.len(), MAX_CONNECTIONS);
             assert_eq!(numbers(peer(0)), [1]);
             assert!(numbers(peer(1)).is_empty());
             // clients with the token keep theirs

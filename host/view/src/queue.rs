@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use parking_lot::{Condvar, Mutex};
 use tokio::sync::oneshot;
 
 use super::editor::EditRequest;
@@ -86,14 +86,10 @@ pub struct Queue {
 }
 
 impl Queue {
-    fn state(&self) -> MutexGuard<'_, QueueState> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// Ends the waiting for requests forever.
     pub fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
-        let mut state = self.state();
+        let mut state = self.state.lock();
         // clients that wait for an answer learn of it
         state.clients.clear();
         state.questions.clear();
@@ -107,7 +103,7 @@ impl Queue {
 
     /// Adds an image request, in place of the client's older one.
     pub(super) fn post(&self, job: Box<FrameJob>) {
-        let mut state = self.state();
+        let mut state = self.state.lock();
         if self.is_stopped() {
             return;
         }
@@ -135,7 +131,7 @@ impl Queue {
 
     /// Adds a question.
     pub(super) fn ask(&self, question: Question, reply: oneshot::Sender<Answer>) {
-        let mut state = self.state();
+        let mut state = self.state.lock();
         if state.questions.len() < MAX_QUESTIONS && !self.is_stopped() {
             state.questions.push_back((question, reply));
             self.wake.notify_all();
@@ -144,7 +140,7 @@ impl Queue {
 
     /// Returns an interrupted request, unless the client has a newer one by now.
     pub(super) fn put_back(&self, job: Box<FrameJob>) {
-        let mut state = self.state();
+        let mut state = self.state.lock();
         if let Some(client) = state.clients.get_mut(&job.request.client)
             && client.job.is_none()
             && client.sequence == job.request.sequence
@@ -156,10 +152,9 @@ impl Queue {
     /// Takes the next request, waiting for it for up to `patience`. An image belongs to the client whose last turn
     /// was the longest ago.
     pub(super) fn take(&self, patience: Duration) -> Option<NextJob> {
-        let mut state = self.state();
+        let mut state = self.state.lock();
         if !state.is_waiting() && !self.is_stopped() && !patience.is_zero() {
-            state =
-                self.wake.wait_timeout(state, patience).unwrap_or_else(PoisonError::into_inner).0;
+            self.wake.wait_for(&mut state, patience);
         }
         if self.is_stopped() {
             return None;
@@ -179,7 +174,8 @@ impl Queue {
 
     /// Whether an image is obsolete: its client no longer waits for it, or wants another one.
     pub(super) fn is_outdated(&self, job: &FrameJob) -> bool {
-        let newest = self.state().clients.get(&job.request.client).map(|client| client.sequence);
+        let newest =
+            self.state.lock().clients.get(&job.request.client).map(|client| client.sequence);
         job.reply.is_closed()
             || self.is_stopped()
             || newest.is_some_and(|newest| newest > job.request.sequence)
@@ -187,7 +183,7 @@ impl Queue {
 
     /// Whether a request waits that has priority over an exact image.
     pub(super) fn has_urgent(&self) -> bool {
-        let state = self.state();
+        let state = self.state.lock();
         !state.questions.is_empty()
             || state.clients.values().any(|client| {
                 client.job.as_ref().is_some_and(|job| job.request.quality != Quality::Exact)

@@ -1,7 +1,6 @@
 //! The curves and buttons of a training on the page.
 
-use std::sync::{Mutex, MutexGuard, PoisonError};
-
+use parking_lot::{Mutex, MutexGuard};
 use serde::{Deserialize, Serialize};
 
 /// Most points of a curve. If there are more, every second one is dropped.
@@ -99,7 +98,7 @@ fn second<T: Copy>(values: &[T]) -> Vec<T> {
 impl TrainingStatus {
     /// The state, for as long as the guard lives.
     pub fn state(&self) -> MutexGuard<'_, TrainingState> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+        self.state.lock()
     }
 
     /// Executes a command of the page.

@@ -4,12 +4,13 @@ use std::any::TypeId;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::ops::Deref;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use crate::number::Rounded;
 use crate::{Canary, KernelRunner, Measure, Output};
 use muslin_device::{Device, Result};
 use muslin_kernel::given::Inputs;
+use parking_lot::Mutex;
 
 /// A kernel's case, without the type of its inputs.
 #[derive(Clone, Copy, Debug)]
@@ -90,9 +91,8 @@ static COMPUTED: Mutex<BTreeMap<Key, Values>> = Mutex::new(BTreeMap::new());
 
 /// The equations' values for all elements of an output of the set with this index.
 fn exact<P: Parity>(index: usize, set: &P, output: &Output, rounding: Rounding) -> Values {
-    let computed = || COMPUTED.lock().unwrap_or_else(PoisonError::into_inner);
     let key = (TypeId::of::<P>(), index, output.name, rounding);
-    if let Some(values) = computed().get(&key) {
+    if let Some(values) = COMPUTED.lock().get(&key) {
         return Arc::clone(values);
     }
     let all = output.values.len();
@@ -104,7 +104,7 @@ fn exact<P: Parity>(index: usize, set: &P, output: &Output, rounding: Rounding) 
     assert!(given <= all, "`{}` has {all} values in `{}`, `exact` {given}", P::KERNEL, output.name);
     exact.resize(all, None);
     let values = Values::from(exact);
-    computed().insert(key, Arc::clone(&values));
+    COMPUTED.lock().insert(key, Arc::clone(&values));
     values
 }
 

@@ -6,7 +6,9 @@ use std::ops::Range;
 use std::panic::Location;
 use std::ptr::NonNull;
 use std::sync::atomic::{AtomicU8, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
+
+use parking_lot::Mutex;
 
 /// Bytes of a large page of most CPUs.
 const LARGE_PAGE: usize = 2 << 20;
@@ -28,15 +30,11 @@ pub struct CpuMemory {
 pub struct MemoryPool(Arc<Mutex<VecDeque<Allocation>>>);
 
 impl MemoryPool {
-    fn blocks(&self) -> MutexGuard<'_, VecDeque<Allocation>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// Takes memory of at least `bytes` bytes from the pool, if there is any. Its old content remains.
     pub fn take(&self, bytes: u64) -> Option<CpuMemory> {
         let layout = layout(bytes)?;
         let block = {
-            let mut blocks = self.blocks();
+            let mut blocks = self.0.lock();
             let place = blocks.iter().rposition(|block| block.layout == layout)?;
             blocks.remove(place)?
         };
@@ -58,11 +56,11 @@ impl MemoryPool {
 
     /// Returns all memory to the system.
     pub fn clear(&self) {
-        self.blocks().clear();
+        self.0.lock().clear();
     }
 
     fn put(&self, block: Allocation) {
-        let mut blocks = self.blocks();
+        let mut blocks = self.0.lock();
         blocks.push_back(block);
         let mut bytes: usize = blocks.iter().map(|block| block.layout.size()).sum();
         while bytes > SPARE_BYTES {
@@ -263,12 +261,12 @@ impl Written {
 
     /// Notes the kernel that may write next.
     pub fn set_writer(&self, writer: Writer) {
-        *self.writer.lock().unwrap_or_else(PoisonError::into_inner) = Some(writer);
+        *self.writer.lock() = Some(writer);
     }
 
     /// The kernel that may have written last.
     pub fn writer(&self) -> Option<Writer> {
-        self.writer.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        self.writer.lock().clone()
     }
 }
 
@@ -307,7 +305,7 @@ mod tests {
         let all: Vec<_> =
             (0..5).map(|_| pool_memory.allocate(100 << 20).expect("memory")).collect();
         drop(all);
-        let left: usize = pool_memory.blocks().iter().map(|block| block.layout.size()).sum();
+        let left: usize = pool_memory.0.lock().iter().map(|block| block.layout.size()).sum();
         assert!(left > 0 && left <= SPARE_BYTES);
     }
 }

@@ -1,9 +1,9 @@
 //! A device that runs nothing. It records all requests, so that something else can run them, such as a browser.
 
 use std::ops::Range;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use muslin_kernel::KernelInfo;
+use parking_lot::Mutex;
 
 use crate::buffer::{Count, Memory, RawBuffer};
 use crate::{Error, Result};
@@ -97,13 +97,9 @@ pub(crate) struct Planner(Mutex<DevicePlan>);
 impl Planner {
     /// The requests since the last call.
     pub fn take(&self) -> DevicePlan {
-        let mut plan = self.plan();
+        let mut plan = self.0.lock();
         let first_buffer = plan.first_buffer + plan.buffers.len() as u32;
         std::mem::replace(&mut *plan, DevicePlan { first_buffer, ..DevicePlan::default() })
-    }
-
-    fn plan(&self) -> MutexGuard<'_, DevicePlan> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub fn max_buffer_bytes(&self) -> u64 {
@@ -121,7 +117,7 @@ impl Planner {
                 what: format!("the buffer `{label}` in a browser"),
             });
         }
-        let mut plan = self.plan();
+        let mut plan = self.0.lock();
         let number = plan.first_buffer + plan.buffers.len() as u32;
         plan.buffers.push(PlannedBuffer { label, bytes: size, contents: None });
         Ok(number)
@@ -129,7 +125,7 @@ impl Planner {
 
     /// Sets the initial content of a new buffer.
     pub fn fill(&self, buffer: u32, contents: &[u8]) {
-        let mut plan = self.plan();
+        let mut plan = self.0.lock();
         let at = (buffer - plan.first_buffer) as usize;
         let mut contents = contents.to_vec();
         contents.resize(plan.buffers[at].bytes as usize, 0);
@@ -138,7 +134,7 @@ impl Planner {
 
     /// Reads the initial content of a buffer of this plan, from a byte on. Returns whether there is any.
     pub fn read(&self, buffer: u32, begin: usize, target: &mut [u8]) -> bool {
-        let plan = self.plan();
+        let plan = self.0.lock();
         let at = buffer.checked_sub(plan.first_buffer).and_then(|at| plan.buffers.get(at as usize));
         let Some(contents) = at.and_then(|buffer| buffer.contents.as_deref()) else { return false };
         target.copy_from_slice(&contents[begin..begin + target.len()]);
@@ -191,7 +187,7 @@ impl Planner {
     }
 
     fn push(&self, step: Step) {
-        self.plan().steps.push(step);
+        self.0.lock().steps.push(step);
     }
 }
 

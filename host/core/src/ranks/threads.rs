@@ -1,6 +1,8 @@
 //! Ranks that are threads of one process.
 
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
+
+use parking_lot::{Condvar, Mutex};
 
 use super::{Ranks, ended};
 use crate::error::Result;
@@ -79,13 +81,9 @@ impl ThreadRanks {
         Self::new(1).swap_remove(0)
     }
 
-    fn lock(&self) -> MutexGuard<'_, CallState> {
-        self.shared.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// Sends a message to all ranks, and waits for theirs.
     fn all(&self, mine: Vec<Vec<u8>>) -> Result<Vec<Message>> {
-        let mut state = self.lock();
+        let mut state = self.shared.state.lock();
         let call = state.calls;
         state.messages[self.rank] = Some(Arc::new(mine));
         if state.messages.iter().all(Option::is_some) {
@@ -97,7 +95,7 @@ impl ThreadRanks {
             if let Some((rank, message)) = &state.failed {
                 return Err(ended(*rank, message));
             }
-            state = self.shared.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+            self.shared.changed.wait(&mut state);
         }
         Ok(state.last.clone())
     }
@@ -160,7 +158,7 @@ impl Ranks for ThreadRanks {
     }
 
     fn fail(&self, message: &str) {
-        let mut state = self.lock();
+        let mut state = self.shared.state.lock();
         state.failed.get_or_insert_with(|| (self.rank, message.to_owned()));
         self.shared.changed.notify_all();
     }

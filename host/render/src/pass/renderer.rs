@@ -1,7 +1,7 @@
 //! A renderer: a device, and what is known of the parts that fit it.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::capacity::CapacityPredictor;
 use crate::scene::device_scene::DeviceScene;
@@ -10,6 +10,7 @@ use crate::stages::cut::{PART_BYTES, PART_SHARES};
 use muslin_device::Device;
 use organza_core::Result;
 use organza_core::scene::Scene;
+use parking_lot::{Mutex, MutexGuard};
 
 /// Renders scenes on a device.
 ///
@@ -107,6 +108,6 @@ impl Renderer {
 
     /// What earlier parts have needed.
     pub(crate) fn predictor(&self) -> MutexGuard<'_, CapacityPredictor> {
-        self.predictor.lock().unwrap_or_else(PoisonError::into_inner)
+        self.predictor.lock()
     }
 }

@@ -1,7 +1,6 @@
 //! A rendered batch that keeps what its gradient needs, so that nothing is rendered twice.
 
 use std::sync::atomic::Ordering;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::batch::Parts;
 use super::output::Output;
@@ -12,6 +11,7 @@ use crate::scene::device_scene::DeviceScene;
 use organza_core::error::argument;
 use organza_core::scene::Gradient;
 use organza_core::{Camera, Channel, RenderedTiles, Result, TileBatch};
+use parking_lot::Mutex;
 
 /// A rendered batch, from which the gradient of any loss follows without rendering again.
 ///
@@ -173,7 +173,7 @@ impl Tape {
         } else {
             gradient.clear(device);
             let pass = self.renderer.pass(&self.scene, &self.cameras);
-            pass.backward(&mut self.parts(), &mut LossSource::Given(grad_tiles), gradient)?;
+            pass.backward(&mut self.parts.lock(), &mut LossSource::Given(grad_tiles), gradient)?;
             return gradient.check(device);
         };
         argument(reason)
@@ -181,11 +181,7 @@ impl Tape {
 
     /// Gives up the memory of kept parts. [`Tape::backward`] then renders again.
     pub fn release(&mut self) {
-        self.parts().release();
-    }
-
-    fn parts(&self) -> MutexGuard<'_, Parts> {
-        self.parts.lock().unwrap_or_else(PoisonError::into_inner)
+        self.parts.lock().release();
     }
 
     fn download(

@@ -7,10 +7,11 @@ mod pipeline;
 mod recorder;
 mod timer;
 
-use std::sync::{Arc, Mutex, PoisonError, mpsc};
+use std::sync::{Arc, mpsc};
 use std::time::Duration;
 
 use muslin_kernel::{EntryPoint, KernelInfo};
+use parking_lot::Mutex;
 
 use crate::buffer::{Count, Memory, RawBuffer, Total};
 use crate::{DeviceOptions, Error, Modules, Result, SpirvPath, Traffic};
@@ -186,12 +187,12 @@ impl Gpu {
         }
         if let Some(memory) = self.memory.take(size) {
             if zeros {
-                self.recorder().clear_unused(&self.device, &memory, size);
+                self.recorder.lock().clear_unused(&self.device, &memory, size);
             }
             return Ok(memory);
         }
         let new = self.allocate_new(label, size).or_else(|| {
-            self.recorder().forget_bind_groups();
+            self.recorder.lock().forget_bind_groups();
             self.memory.clear();
             // the driver gets it back when what uses it has run
             let _ = self.device.poll(wgpu::PollType::wait_indefinitely());
@@ -217,7 +218,7 @@ impl Gpu {
     }
 
     pub fn write(&self, buffer: &wgpu::Buffer, bytes: &[u8]) {
-        self.recorder().traffic.bytes_up += bytes.len() as u64;
+        self.recorder.lock().traffic.bytes_up += bytes.len() as u64;
         // wgpu writes whole words
         let (words, rest) = bytes.split_at(bytes.len() / 4 * 4);
         if !words.is_empty() {
@@ -237,7 +238,7 @@ impl Gpu {
         take: impl FnMut(&[u8]) -> Result<()>,
     ) -> Result<()> {
         let reading = self.read_later(ranges);
-        self.recorder().traffic.waits += 1;
+        self.recorder.lock().traffic.waits += 1;
         self.finish_reading(reading, take)
     }
 
@@ -251,7 +252,7 @@ impl Gpu {
         let size: u64 = ranges.iter().map(words).map(|words| words.end - words.start).sum();
         let staging = self.take_staging(size);
         let mut places = Vec::with_capacity(ranges.len());
-        let mut recorder = self.recorder();
+        let mut recorder = self.recorder.lock();
         let mut at = 0;
         for range in ranges {
             let words = words(range);
@@ -292,18 +293,14 @@ impl Gpu {
         drop(bytes);
         staging.unmap();
         if staging.size() <= MAX_STAGING {
-            self.staging().push(staging);
+            self.staging.lock().push(staging);
         }
         taken
     }
 
-    fn staging(&self) -> std::sync::MutexGuard<'_, Vec<wgpu::Buffer>> {
-        self.staging.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// A buffer that the host can read, of at least `size` bytes.
     fn take_staging(&self, size: u64) -> wgpu::Buffer {
-        let mut unused = self.staging();
+        let mut unused = self.staging.lock();
         let large_enough = unused.iter().position(|buffer| buffer.size() >= size);
         match large_enough {
             Some(place) => unused.swap_remove(place),
@@ -353,8 +350,8 @@ impl Gpu {
                 size: std::num::NonZero::new(buffer.bytes.next_multiple_of(4)),
             })
             .collect();
-        self.failures().kernel = Some(kernel.name);
-        self.recorder().dispatch(
+        self.failures.lock().kernel = Some(kernel.name);
+        self.recorder.lock().dispatch(
             &self.device,
             &self.queue,
             kernel,
@@ -364,30 +361,30 @@ impl Gpu {
             &buffers,
             workgroups,
         );
-        self.failures().kernel = None;
+        self.failures.lock().kernel = None;
         self.check()
     }
 
     pub fn clear(&self, buffer: &RawBuffer) {
         let range = buffer.begin..buffer.begin + buffer.bytes.next_multiple_of(4);
-        self.recorder().clear(&self.device, self.memory(buffer), range);
+        self.recorder.lock().clear(&self.device, self.memory(buffer), range);
     }
 
     /// Copies a whole buffer into another, to byte `first` of it.
     pub fn copy(&self, from: &RawBuffer, to: &RawBuffer, first: u64) {
         let range = from.begin..from.begin + from.bytes.next_multiple_of(4);
         let target = self.memory(to);
-        self.recorder().copy(&self.device, self.memory(from), range, target, to.begin + first);
+        self.recorder.lock().copy(&self.device, self.memory(from), range, target, to.begin + first);
     }
 
     /// Declares that earlier dispatches have written the numbers that are filled in from here on.
     pub fn publish_counts(&self) {
-        self.recorder().publish_counts(&self.device);
+        self.recorder.lock().publish_counts(&self.device);
     }
 
     /// Submits what is recorded.
     pub fn submit(&self) {
-        self.recorder().submit(&self.device, &self.queue);
+        self.recorder.lock().submit(&self.device, &self.queue);
     }
 
     /// Waits for all queued work.
@@ -400,12 +397,12 @@ impl Gpu {
 
     /// Turns the timing of dispatches on or off. Returns whether this device has timestamps for it.
     pub fn time_dispatches(&self, times: bool) -> bool {
-        self.recorder().time(times)
+        self.recorder.lock().time(times)
     }
 
     /// Waits for timed dispatches, and returns their times; empty if the device is lost.
     pub fn take_times(&self) -> Vec<(&'static str, Duration)> {
-        let mut recorder = self.recorder();
+        let mut recorder = self.recorder.lock();
         if recorder.timer().is_none_or(|timer| timer.is_empty()) {
             return Vec::new();
         }
@@ -419,30 +416,22 @@ impl Gpu {
     }
 
     pub fn traffic(&self) -> Traffic {
-        self.recorder().traffic
+        self.recorder.lock().traffic
     }
 
     pub fn lose(&self) {
         self.device.destroy();
     }
 
-    fn recorder(&self) -> std::sync::MutexGuard<'_, Recorder> {
-        self.recorder.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn failures(&self) -> std::sync::MutexGuard<'_, Failures> {
-        self.failures.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// The first failure that the device reported since the last call. The loss of the device is reported every time.
     fn check(&self) -> Result<()> {
-        let first = self.failures().first.take();
+        let first = self.failures.lock().first.take();
         if first.is_some() {
             // on a lost device, new objects are invalid, and their use is reported instead of the loss: polling
             // reports the loss
             let _ = self.device.poll(wgpu::PollType::Poll);
         }
-        match (&self.failures().lost, first) {
+        match (&self.failures.lock().lost, first) {
             (Some(reason), _) => Err(Error::DeviceLost { reason: reason.clone() }),
             (None, Some(first)) => Err(first),
             (None, None) => Ok(()),
@@ -467,12 +456,12 @@ fn record_failures(device: &wgpu::Device, failures: &Arc<Mutex<Failures>>) {
     device.set_device_lost_callback(move |reason, message| {
         // the regular end of a device is reported, too
         if !(reason == wgpu::DeviceLostReason::Destroyed && message.contains("Device dropped")) {
-            lost.lock().unwrap_or_else(PoisonError::into_inner).lost.get_or_insert(message);
+            lost.lock().lost.get_or_insert(message);
         }
     });
     let uncaptured = failures.clone();
     device.on_uncaptured_error(Arc::new(move |error| {
-        let mut failures = uncaptured.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut failures = uncaptured.lock();
         let error = match (error, failures.kernel) {
             (wgpu::Error::OutOfMemory { source }, _) => {
                 Error::OutOfMemory { needed: 0, available: None, what: source.to_string() }

@@ -2,9 +2,10 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use muslin_kernel::{Access, EntryPoint, KernelInfo};
+use parking_lot::Mutex;
 
 use crate::gpu::adapter::{TILES, WIDE};
 use crate::job::MAX_WORKGROUPS;
@@ -100,7 +101,7 @@ impl Pipelines {
     }
 
     pub fn get(&self, device: &wgpu::Device, kernel: &'static KernelInfo) -> Result<Arc<Pipeline>> {
-        let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut made = self.made.lock();
         if let Some(pipeline) = made.get(&(kernel.package, kernel.name)) {
             return Ok(pipeline.clone());
         }

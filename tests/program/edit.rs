@@ -95,14 +95,14 @@ fn only_gaussians_in_no_view_are_removed() {
 /// Number of floaters that [`plant_floaters`] plants.
 const FLOATERS: usize = 200;
 
-/// Plants floaters in the air before cameras all around the built-in scene, thinned, whose photographs are in `demo`. Returns all
-/// Gaussians of `planted.safetensors`; the floaters are the last ones.
-pub fn plant_floaters(sandbox: &Sandbox) -> Gaussians {
+/// Plants floaters in the air before some cameras all around the built-in scene, thinned, whose photographs are in `demo`. Returns
+/// all Gaussians of `planted.safetensors`; the floaters are the last ones.
+pub fn plant_floaters(sandbox: &Sandbox, views: usize, side: u32) -> Gaussians {
     let mut scene = cases::thinned(8, 8_f32.ln() / 2.0);
     // most of the time would go into samples
     scene.config.step *= 8.0;
     scene.save(sandbox.path("scene.safetensors")).expect("it is written");
-    let mut cameras = organza::demo::turntable(24, 64);
+    let mut cameras = organza::demo::turntable(views, side);
     Camera::save_all(sandbox.path("cameras.json"), &cameras).expect("cameras");
     sandbox.run("render scene.safetensors cameras.json -o demo --backend cpu").assert_ok();
     for (index, camera) in cameras.iter_mut().enumerate() {
@@ -116,7 +116,7 @@ pub fn plant_floaters(sandbox: &Sandbox) -> Gaussians {
         let [right, down, forward] = camera.axes();
         let eye = DVec3::from(camera.eye());
         let far = (0.1 + 0.5 * part(0.437)) * eye.length();
-        let [x, y] = [part(0.7549), part(0.5698)].map(|at| (at - 0.5) * 0.8 * 64.0 / camera.fl_x);
+        let [x, y] = [part(0.7549), part(0.5698)].map(|at| (at - 0.5) * 0.8 * f64::from(side) / camera.fl_x);
         let place = eye + far * (forward + x * right + y * down);
         scene.gaussians.position[i] = place.to_array().map(|x| x as f32);
         scene.gaussians.log_scale[i] = [-3.2, -3.0, -2.8];
@@ -129,7 +129,7 @@ pub fn plant_floaters(sandbox: &Sandbox) -> Gaussians {
 #[test]
 fn planted_floaters_go() {
     let sandbox = Sandbox::new("tiny");
-    let all = plant_floaters(&sandbox);
+    let all = plant_floaters(&sandbox, 24, 64);
     let old = all.len() - FLOATERS;
     let psnr = |scene: &str| {
         let words = format!("eval {scene}.safetensors demo --downscale 2 --backend cpu --json");

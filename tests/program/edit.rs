@@ -116,7 +116,8 @@ pub fn plant_floaters(sandbox: &Sandbox, views: usize, side: u32) -> Gaussians {
         let [right, down, forward] = camera.axes();
         let eye = DVec3::from(camera.eye());
         let far = (0.1 + 0.5 * part(0.437)) * eye.length();
-        let [x, y] = [part(0.7549), part(0.5698)].map(|at| (at - 0.5) * 0.8 * f64::from(side) / camera.fl_x);
+        let [x, y] =
+            [part(0.7549), part(0.5698)].map(|at| (at - 0.5) * 0.8 * f64::from(side) / camera.fl_x);
         let place = eye + far * (forward + x * right + y * down);
         scene.gaussians.position[i] = place.to_array().map(|x| x as f32);
         scene.gaussians.log_scale[i] = [-3.2, -3.0, -2.8];

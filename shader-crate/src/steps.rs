@@ -1,6 +1,7 @@
 //! B2. The steps of a ray that can lose light: those whose midpoints lie where the [occupancy grid](crate::occupancy) is not empty.
 //!
-//! Where the grid is empty, a step adds 0 to the logarithm of T (Eq. 11) and has no gradient. So only the others become samples.
+//! Where the grid is empty, a step adds 0 to the logarithm of T (Eq. 11) and has no gradient. So only the others become samples. In training, faint
+//! steps play Russian roulette, so that fewer become samples.
 
 use glam::Vec4;
 
@@ -19,6 +20,42 @@ pub struct StepsParams {
     pub side: u32,
     /// 1 where what lies outside the scene's box is contracted.
     pub contracted: u32,
+    /// Steps where the grid is less full than this play [roulette](roulette); 0: none.
+    pub faint: f32,
+}
+
+/// The golden ratio's fraction: its multiples spread evenly over [0, 1) (a Kronecker sequence).
+const GOLDEN: f32 = 0.618_034;
+
+/// Russian roulette: a step with `value < faint` survives with a probability of `value / faint`, and then counts as `faint`. So each sum over a
+/// ray's steps keeps its mean. Step k takes the k-th number of a golden sequence, which spreads the survivors along the ray.
+#[inline(always)]
+pub fn roulette<L: Lane>(faint: f32, seed: f32, k: L, value: L) -> L {
+    let faint = L::splat(faint);
+    let turns = L::splat(seed) + k * L::splat(GOLDEN);
+    let chance = turns - turns.truncate();
+    let survivor = L::select((chance * faint).less(value), faint, L::splat(0.0));
+    L::select(value.less(faint), survivor, value)
+}
+
+/// Where a ray's sequence begins, in [0, 1): a hash of its bits. Gaussians move in each training step, so the seed changes, and it depends on no
+/// other ray.
+#[inline(always)]
+fn seed_of(segment: Read<Vec4>, pair: u32) -> f32 {
+    let [a, b, c, _] = segment.read(pair * SEGMENT_VECTORS).to_array();
+    let [d, e, f, _] = segment.read(pair * SEGMENT_VECTORS + 1).to_array();
+    let first = mix(mix(mix(a.to_bits()) ^ b.to_bits()) ^ c.to_bits());
+    let hash = mix(mix(mix(first ^ d.to_bits()) ^ e.to_bits()) ^ f.to_bits());
+    // an f32 holds 24 bits
+    (hash >> 8) as f32 * (1.0 / 16_777_216.0)
+}
+
+/// The last step of MurmurHash3 (Appleby): each bit of the result depends on all bits.
+#[inline(always)]
+fn mix(bits: u32) -> u32 {
+    let bits = (bits ^ (bits >> 16)).wrapping_mul(0x85eb_ca6b);
+    let bits = (bits ^ (bits >> 13)).wrapping_mul(0xc2b2_ae35);
+    bits ^ (bits >> 16)
 }
 
 /// K, the number of steps of a pair's ray.
@@ -27,22 +64,26 @@ fn steps_of(segment: Read<Vec4>, pair: u32) -> u32 {
     segment.read(pair * SEGMENT_VECTORS + 3).w as u32
 }
 
-/// How full the grid is at the midpoints of the steps from `first` on; 0 behind the last step.
+/// How full the grid is at the midpoints of the steps from `first` on, after [`roulette`]; 0 behind the last step.
 #[inline(always)]
 fn occupied_from<L: Lane>(
     params: &StepsParams,
     occupancy: Read<f32>,
     ray: [LaneVec4<L>; 4],
+    seed: f32,
     first: u32,
 ) -> L {
     let k = L::splat(first as f32) + L::ramp();
     let count = ray[3].w;
     let known = k.min(count - L::splat(1.0));
-    let value = occupied(params.side, occupancy, midpoint(params.contracted, ray, known));
+    let mut value = occupied(params.side, occupancy, midpoint(params.contracted, ray, known));
+    if params.faint > 0.0 {
+        value = roulette(params.faint, seed, k, value);
+    }
     L::select(k.less(count), value, L::splat(0.0))
 }
 
-/// How many of each pair's steps are not empty: `segment [pairs, 4]`, `occupancy [entries^3]`, `count [pairs]`.
+/// How many of each pair's steps are samples: `segment [pairs, 4]`, `occupancy [entries^3]`, `count [pairs]`.
 ///
 /// On a CPU, the lanes are neighboring steps.
 #[kernel(threads(64), over(params.pairs), iterations = MAX_SAMPLES, lanes, counts(pairs))]
@@ -56,11 +97,13 @@ pub fn step_count<L: Lane>(
     let pair = id.index();
     if pair < params.pairs {
         let ray = read_ray::<L>(segment, pair);
+        let seed = seed_of(segment, pair);
         let steps = steps_of(segment, pair);
         let mut occupied = L::splat(0.0);
         let mut first = 0;
         while first < steps {
-            let is_occupied = L::splat(0.0).less(occupied_from(params, occupancy, ray, first));
+            let is_occupied =
+                L::splat(0.0).less(occupied_from(params, occupancy, ray, seed, first));
             occupied = occupied + L::select(is_occupied, L::splat(1.0), L::splat(0.0));
             first += L::WIDTH;
         }
@@ -84,12 +127,13 @@ pub fn step_fill<L: Lane>(
     let pair = id.index();
     if pair < params.pairs {
         let ray = read_ray::<L>(segment, pair);
+        let seed = seed_of(segment, pair);
         let steps = steps_of(segment, pair);
         let end = first_sample.read(pair + 1);
         let mut at = first_sample.read(pair);
         let mut first = 0;
         while first < steps && at < end {
-            let value = occupied_from(params, occupancy, ray, first);
+            let value = occupied_from(params, occupancy, ray, seed, first);
             let mut lane = 0;
             while lane < L::WIDTH {
                 let value = value.lane(lane);

@@ -14,6 +14,18 @@ use super::scan::prefix;
 /// How far from the faces between cells' centers midpoints stay, in cells.
 const AWAY: f64 = 1e-5;
 
+/// How far from a decision of the roulette a step's chance stays.
+const APART: f64 = 1e-3;
+
+/// The last step of MurmurHash3, `fmix32`.
+fn mix(mut bits: u32) -> u32 {
+    for (shift, factor) in [(16, 0x85eb_ca6b), (13, 0xc2b2_ae35)] {
+        bits ^= bits >> shift;
+        bits = bits.wrapping_mul(factor);
+    }
+    bits ^ bits >> 16
+}
+
 /// Rays as `segment` writes them. No sample lies outside the cube.
 #[derive(Clone, Debug)]
 pub(super) struct Rays {
@@ -100,10 +112,10 @@ struct Occupied {
 }
 
 impl Occupied {
-    fn new(steps: &[u32], is_contracted: bool, random: &mut Random) -> Self {
+    fn new(steps: &[u32], is_contracted: bool, faint: f32, random: &mut Random) -> Self {
         let side = 7;
-        let params =
-            StepsParams { pairs: steps.len() as u32, side, contracted: u32::from(is_contracted) };
+        let contracted = u32::from(is_contracted);
+        let params = StepsParams { pairs: steps.len() as u32, side, contracted, faint };
         let rays = Rays { vectors: Vec::new(), is_contracted };
         let mut set = Self { rays, params, table: Vec::new() };
         let entries = set.grid().entries().pow(3);
@@ -134,13 +146,38 @@ impl Occupied {
     fn is_undecided(&self, pair: usize, k: u32) -> bool {
         let away = if self.rays.is_contracted { 10.0 * AWAY } else { AWAY };
         let place = self.rays.midpoint(pair, k).map(|x| x * f64::from(self.params.side) + 0.5);
+        let [chance, full] = [self.chance(pair, k), self.full(pair, k)];
+        let faint = f64::from(self.params.faint);
+        let is_close = |x: f64| faint > 0.0 && x.abs() < APART;
         place.iter().any(|x| (x - x.round()).abs() < away)
+            || is_close(chance - chance.round())
+            || is_close(chance - full / faint)
+            || is_close(full - faint)
     }
 
-    /// The steps that are not empty, and how full they are.
+    /// The golden sequence of a ray, from the hash of its first two vectors' bits on.
+    fn chance(&self, pair: usize, k: u32) -> f64 {
+        let vectors = &self.rays.vectors[4 * pair..][..2];
+        let values = vectors.iter().flat_map(|vector| vector.truncate().to_array());
+        let hash = values.fold(0, |hash, value| mix(hash ^ value.to_bits()));
+        let seed = f64::from(hash >> 8) / f64::from(1 << 24);
+        (seed + f64::from(k) * (5_f64.sqrt() - 1.0) / 2.0).fract()
+    }
+
+    /// How full the grid is at a step.
+    fn full(&self, pair: usize, k: u32) -> f64 {
+        self.grid().occupied(&self.table, self.rays.midpoint(pair, k))
+    }
+
+    /// The steps that are samples, and how full they count.
     fn of(&self, pair: usize) -> Vec<(u32, f64)> {
-        let full = |k| self.grid().occupied(&self.table, self.rays.midpoint(pair, k));
-        let all = (0..self.rays.steps(pair)).map(|k| (k, full(k)));
+        let faint = f64::from(self.params.faint);
+        let played = |k| match self.full(pair, k) {
+            full if full >= faint => full,
+            full if self.chance(pair, k) * faint < full => faint,
+            _ => 0.0,
+        };
+        let all = (0..self.rays.steps(pair)).map(|k| (k, played(k)));
         all.filter(|&(_, full)| full > 0.0).collect()
     }
 
@@ -152,12 +189,14 @@ impl Occupied {
             for pairs in [1, 65, inputs::ITEMS / 4] {
                 let steps: Vec<_> =
                     (0..pairs).map(|_| random.below(40).saturating_sub(3)).collect();
-                let set = Self::new(&steps, is_contracted, &mut random);
-                sets.push((format!("{pairs} rays{name}"), set));
+                for (more, faint) in [("", 0.0), (", roulette", 0.25)] {
+                    let set = Self::new(&steps, is_contracted, faint, &mut random);
+                    sets.push((format!("{pairs} rays{name}{more}"), set));
+                }
             }
         }
-        sets.push(("no rays".into(), Self::new(&[], false, &mut random)));
-        sets.push(("a long ray".into(), Self::new(&[0, 3000, 2], false, &mut random)));
+        sets.push(("no rays".into(), Self::new(&[], false, 0.0, &mut random)));
+        sets.push(("a long ray".into(), Self::new(&[0, 3000, 2], false, 0.0, &mut random)));
         sets
     }
 }

@@ -8,6 +8,7 @@ use super::config::RunConfig;
 use super::sampler::Sampler;
 use organza_core::{Camera, Error, Result, TileBatch};
 use organza_data::Frame;
+use organza_render::DeviceScene;
 
 /// Factor by which photographs are smaller in coarse steps.
 const FACTOR: u32 = 2;
@@ -32,6 +33,8 @@ pub struct Drawn {
     pub factor: u32,
     /// Length of T's steps, as a multiple of sigma.
     pub ray_steps: u32,
+    /// See [`DeviceScene::with_roulette`].
+    pub faint: f32,
 }
 
 impl Batches {
@@ -55,25 +58,32 @@ impl Batches {
 
     /// Draws the tiles of a step from the photographs of [`Self::new`].
     pub fn draw(&mut self, run: &RunConfig, step: u32, frames: &[&Frame]) -> Drawn {
+        let faint = run.roulette as f32;
         if run.fraction(step) >= run.coarse {
-            return self.whole(step, frames);
+            return Drawn { faint, ..self.whole(step, frames) };
         }
         let ray_steps = RAY_STEPS;
         match &mut self.smaller {
             Some(smaller) => {
-                Drawn { batch: smaller.batch(step, frames), factor: FACTOR, ray_steps }
+                Drawn { batch: smaller.batch(step, frames), factor: FACTOR, ray_steps, faint }
             }
-            None => Drawn { ray_steps, ..self.whole(step, frames) },
+            None => Drawn { ray_steps, faint, ..self.whole(step, frames) },
         }
     }
 
-    /// Draws the tiles of a step that is not coarse.
+    /// Draws the tiles of a step that is as exact as an image.
     pub fn whole(&mut self, step: u32, frames: &[&Frame]) -> Drawn {
-        Drawn { batch: self.whole.batch(step, frames), factor: 1, ray_steps: 1 }
+        Drawn { batch: self.whole.batch(step, frames), factor: 1, ray_steps: 1, faint: 0.0 }
     }
 }
 
 impl Drawn {
+    /// The scene as the step shows it.
+    #[must_use]
+    pub fn scene(&self, scene: &DeviceScene) -> DeviceScene {
+        scene.coarser(self.factor, self.ray_steps).with_roulette(self.faint)
+    }
+
     /// The cameras of the images that the tiles belong to, given the photographs' cameras.
     #[must_use]
     pub fn cameras<'c>(&self, cameras: &'c [Camera]) -> Cow<'c, [Camera]> {
@@ -105,6 +115,8 @@ mod tests {
             let drawn = batches.draw(&run, step, &frames);
             let expected = if step < 6 { [2; 2] } else { [1; 2] };
             assert_eq!([drawn.factor, drawn.ray_steps], expected, "{step}");
+            assert_eq!(drawn.faint, 0.25);
+            assert_eq!(batches.whole(step, &frames).faint, 0.0);
             let seen = drawn.cameras(&cameras);
             let side = 40 / drawn.factor;
             assert!(seen.iter().all(|camera| [camera.width, camera.height] == [side; 2]));

@@ -444,7 +444,7 @@ impl Trainer {
         let TrainerState { scene, gradient, .. } = &self.state;
         let loss = self.with_target(drawn, &mut |target| {
             let cameras = &drawn.cameras(&self.cameras);
-            let scene = &scene.coarser(drawn.factor, drawn.ray_steps);
+            let scene = &drawn.scene(scene);
             self.renderer.queue_loss_gradient(scene, cameras, &drawn.batch, target, gradient)
         })?;
         let Some(loss) = loss else { return Ok(None) };
@@ -496,7 +496,7 @@ impl Trainer {
     fn add_gradient(&self, drawn: &Drawn, mut own: Option<&mut OwnLoss<'_>>) -> Result<StepReport> {
         let TrainerState { scene, gradient, .. } = &self.state;
         let cameras = &drawn.cameras(&self.cameras);
-        let scene = &scene.coarser(drawn.factor, drawn.ray_steps);
+        let scene = &drawn.scene(scene);
         let ranks = self.ranks.as_deref();
         let found = self.with_target(drawn, &mut |target| {
             let own = own.as_deref_mut();

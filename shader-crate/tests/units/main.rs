@@ -5,4 +5,5 @@ mod dense_backward;
 mod dense_weight_backward;
 mod hash_grid_backward;
 mod segment;
+mod steps;
 mod unit_cube;

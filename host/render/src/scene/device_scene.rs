@@ -22,6 +22,8 @@ pub struct DeviceScene {
     pub(crate) divide_above: f32,
     /// See [`DeviceScene::with_ray_steps`].
     pub(crate) ray_steps: u32,
+    /// See [`DeviceScene::with_roulette`].
+    pub(crate) faint: f32,
     pub(crate) scene_box: Buffer<f32>,
     pub(crate) tensors: Tensors<Buffer<f32>>,
     pub(crate) color: DeviceField,
@@ -189,6 +191,13 @@ impl DeviceScene {
             *other = other.with_ray_steps(ray_steps);
         }
         seen
+    }
+
+    /// The same scene, on the same memory, for training: steps of T where the occupancy grid is less full than
+    /// `faint` play Russian roulette. Those that survive count as `faint`, so sums along a ray keep their means, and fewer samples are evaluated.
+    #[must_use]
+    pub fn with_roulette(self, faint: f32) -> Self {
+        Self { faint, ..self }
     }
 
     /// The same scene, on the same memory, for the coarse steps of a training: for images that are `factor` times smaller,

@@ -45,6 +45,7 @@ impl DeviceScene {
             gaussians: scene.gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
             ray_steps: 1,
+            faint: 0.0,
             scene_box: device.upload("scene box", &scene_box.pack())?,
             color: field("color", &config.color_grid, color, &tensors.color)?,
             transmittance: field(

@@ -233,6 +233,7 @@ fn steps_params(scene: &DeviceScene, pairs: &Pairs) -> StepsParams {
         pairs: pairs.count.upper_bound(),
         side: scene.config.occupancy,
         contracted: scene.config.contraction.for_kernels(),
+        faint: scene.faint,
     }
 }
 

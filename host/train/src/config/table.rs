@@ -201,6 +201,9 @@ macro_rules! define {
                 /// First part of the run, with photographs of half their size and steps of T twice as long.
                 #[see("#coarse-to-fine")]
                 coarse: f64 = 0.7, in 0.0..=1.0;
+                /// Steps of T where the occupancy grid is less full than this are samples only by chance; 0: never.
+                #[see("#roulette")]
+                roulette: f64 = 0.25, in 0.0..=1.0;
                 /// Steps between evaluations on the held-out views; 0: only at the end.
                 #[option("--evaluate-every <N>")]
                 evaluate_every: u32 = 1000;

@@ -107,6 +107,10 @@ fn assert_blended(sandbox: &Sandbox, blocks: &[Block; 2]) {
             for channel in 0..3 {
                 let value =
                     |block: usize| f64::from(alone[block].get_pixel(column, row).0[channel]);
+                // a color outside of 0 to 1 is only clamped in the end
+                if [0, 1].iter().any(|block| [0.0, 255.0].contains(&value(*block))) {
+                    continue;
+                }
                 let mean = (weights[0] * value(0) + weights[1] * value(1)) / sum;
                 // depths and colors are rounded
                 let error = (mean - f64::from(pixel.0[channel])).abs();

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use organza_core::Error;
 use organza_core::error::invalid;
 use organza_core::input::read_json;
-use organza_core::scene::{Contraction, Place, Placement, Scene, SceneConfig};
+use organza_core::scene::{Contraction, Ground, Place, Placement, Scene, SceneConfig};
 use organza_core::{Result, write_inside};
 use serde::{Deserialize, Serialize};
 
@@ -123,6 +123,12 @@ impl Block {
     #[must_use]
     pub fn has(&self, place: [f64; 3]) -> bool {
         is_within(self.sides, 0.0, self.placement.own(place))
+    }
+
+    /// Where the block's scene shows the world best.
+    #[must_use]
+    pub fn ground(&self) -> Ground {
+        Ground { placement: self.placement, sides: self.sides, border: self.border }
     }
 
     /// Removes the Gaussians that belong to other blocks.

@@ -63,7 +63,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 impl Args {
     /// Reads the scene and the photographs, and compares them.
     fn evaluate(&self, console: Console) -> Result<Evaluation> {
-        let shown = Shown::find(&self.scene, &[])?;
+        let shown = Shown::find_images(&self.scene, &[])?;
         let source = &shown.source;
         let split = self.data_args.split(Split::HeldOut);
         let scenes = shown.load(console)?;

@@ -115,7 +115,7 @@ fn open(url: &str) -> bool {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let shown = Shown::find(&args.scene, &args.data)?;
+    let shown = Shown::find_images(&args.scene, &args.data)?;
     let source = &shown.source;
     let named = shown.cameras.as_deref();
     if args.edit.is_some() {

@@ -5,6 +5,7 @@ mod file;
 mod gaussians;
 mod gradient;
 mod grid;
+mod ground;
 mod network;
 mod placement;
 mod tensor_file;
@@ -26,6 +27,7 @@ pub use gradient::Gradient;
 pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, MAX_LEVELS, MAX_LOG2_TABLE, MAX_RESOLUTION,
 };
+pub use ground::Ground;
 pub use network::{Field, Layer, Network};
 pub use placement::{Place, Placement};
 pub use tensor_file::{

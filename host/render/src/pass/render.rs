@@ -1,6 +1,7 @@
 //! Renders tiles and whole images.
 
 use super::batch::Pass;
+use super::blend::blend;
 use super::output::Output;
 use super::renderer::Renderer;
 use crate::scene::device_scene::DeviceScene;
@@ -37,6 +38,14 @@ impl Renderer {
         channels: &[Channel],
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderedTiles> {
+        if let Some(scenes) = scene.grounds() {
+            let count = scenes.len();
+            let blended = blend(&scenes, cameras, batch, channels, &mut |index, one, own, all| {
+                let progress = &mut |done, tiles| progress((index * tiles + done) / count, tiles);
+                self.render_channels(one, own, batch, all, progress).map(Some)
+            })?;
+            return Ok(blended.expect("nothing cancels it"));
+        }
         let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(batch)?;
         let mut tiles = RenderedTiles::new(batch, channels)?;
@@ -59,6 +68,11 @@ impl Renderer {
         batch: &TileBatch,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderReport> {
+        if scene.grounds().is_some() {
+            let tiles = self.render_channels(scene, cameras, batch, &[], progress)?;
+            image.paste(batch, &tiles)?;
+            return Ok(tiles.report);
+        }
         let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(batch)?;
         let mut report = RenderReport::default();

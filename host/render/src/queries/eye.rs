@@ -9,6 +9,7 @@ use organza_shaders::composite::splat_distance;
 use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
 
+use crate::pass::blend::blend;
 use crate::pass::output::Output;
 use crate::pass::renderer::Renderer;
 use crate::stages::color::Color;
@@ -286,6 +287,22 @@ impl Renderer {
         cache: &mut EyeCache,
         options: &EyeOptions<'_>,
     ) -> Result<Option<RenderedTiles>> {
+        if let Some(scenes) = scene.grounds() {
+            let caches = &mut cache.beside;
+            caches.resize_with(scenes.len(), EyeCache::default);
+
+            let cameras = std::slice::from_ref(camera);
+            return blend(
+                &scenes,
+                cameras,
+                batch,
+                options.channels,
+                &mut |index, one, own, all| {
+                    let options = &EyeOptions { channels: all, ..*options };
+                    self.render_from_eye(one, &own[0], batch, &mut caches[index], options)
+                },
+            );
+        }
         let pass = self.pass(scene, std::slice::from_ref(camera));
         let mut parts = pass.cut(batch)?;
         cache.look_from(camera, scene)?;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::device_scene::DeviceScene;
 use muslin_device::Buffer;
 use organza_core::error::argument;
-use organza_core::scene::Placement;
+use organza_core::scene::{Ground, Placement};
 use organza_core::{Camera, Result};
 
 /// Label of the buffers of cameras.
@@ -32,6 +32,10 @@ impl DeviceScene {
             return argument("the other scene is on another device, or is several scenes already");
         }
         other.place = place;
+        if self.ground.is_some() && other.ground.is_some() {
+            self.beside.push(other);
+            return Ok(());
+        }
         let mut beside = std::mem::take(&mut self.beside);
         for scene in beside.iter_mut().chain([&mut *self]) {
             let field = other.field_for(scene)?;
@@ -41,6 +45,23 @@ impl DeviceScene {
         beside.push(other);
         self.beside = beside;
         Ok(())
+    }
+
+    /// Says which part of the world the scene was trained for. Such scenes, [put](Self::put) beside each other, are not one sum over all
+    /// Gaussians: each is rendered alone, and counts where its image shows its ground. See [`Ground::weight`].
+    pub fn stand_on(&mut self, ground: Ground) {
+        self.ground = Some(ground);
+    }
+
+    /// The scenes that are rendered alone, each in its own coordinates, with its place in the first one's and its ground; `None` if all are
+    /// one sum.
+    pub(crate) fn grounds(&self) -> Option<Vec<(Self, Placement, &Ground)>> {
+        let alone = |scene: &Self| {
+            let place = Placement::default();
+            Self { place, beside: Vec::new(), fields: Vec::new(), ..scene.clone() }
+        };
+        let all = self.all().map(|scene| Some((alone(scene), scene.place, scene.ground.as_ref()?)));
+        all.collect::<Option<Vec<_>>>().filter(|scenes| scenes.len() > 1)
     }
 
     /// The same scenes, on the same memory, with the scene at `index` of [`DeviceScene::all`] at another place; `index` is not 0.

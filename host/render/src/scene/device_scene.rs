@@ -10,7 +10,7 @@ use super::occupancy::Occupancy;
 use super::packed::{pack, replace_gaussians, unpack};
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Result, argument};
-use organza_core::scene::{Gaussians, Placement, Scene, SceneConfig, Tensors, TrainedOn};
+use organza_core::scene::{Gaussians, Ground, Placement, Scene, SceneConfig, Tensors, TrainedOn};
 
 /// A scene whose tensors lie on a device. A clone is the same scene, on the same memory.
 #[derive(Clone, Debug)]
@@ -31,6 +31,8 @@ pub struct DeviceScene {
     pub(crate) occupancy: Occupancy,
     /// Where the scene lies in the coordinates of the one that it is [put](Self::put) beside.
     pub(crate) place: Placement,
+    /// See [`DeviceScene::stand_on`].
+    pub(crate) ground: Option<Ground>,
     /// The scenes that are shown with this one.
     pub(crate) beside: Vec<Self>,
     /// The other scenes' fields, with this scene's Gaussians: see [`composition`](super::composition).

@@ -58,6 +58,7 @@ impl DeviceScene {
             config: config.clone(),
             occupancy: Occupancy::new(device, config, &scene_box)?,
             place: Placement::default(),
+            ground: None,
             beside: Vec::new(),
             fields: Vec::new(),
             version: Arc::default(),

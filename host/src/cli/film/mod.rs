@@ -72,7 +72,7 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let shown = Shown::find(&args.scene, &args.cameras)?;
+    let shown = Shown::find_images(&args.scene, &args.cameras)?;
     let source = &shown.source;
     let kind = FilmKind::from_path(&args.output)?;
     let scenes = shown.load(console)?;

@@ -18,7 +18,7 @@ use crate::cli::summary::count;
 use crate::cli::views::photographs;
 use organza::data::Block;
 use organza::error::invalid;
-use organza::scene::{Placement, SceneConfig, TrainedOn};
+use organza::scene::{Ground, Placement, SceneConfig, TrainedOn};
 use organza::train::{self, CHECKPOINT, CONFIG, CROPPED, TrainConfig};
 use organza::{Camera, Error, Result, Scene};
 
@@ -31,6 +31,8 @@ pub struct SceneSource {
     file: PathBuf,
     /// Of the first block of a split: what all blocks were trained on.
     whole: Option<Whole>,
+    /// Of a block that is not cropped: where it shows the world best.
+    ground: Option<Ground>,
 }
 
 /// What the blocks of a split were trained on together.
@@ -50,7 +52,7 @@ impl SceneSource {
         let checkpoint = path.join(CHECKPOINT);
         if !found.is_dir() || checkpoint.exists() {
             let file = if found.is_dir() { checkpoint } else { path.to_owned() };
-            return Ok(Self { named: path.to_owned(), file, whole: None });
+            return Ok(Self { named: path.to_owned(), file, whole: None, ground: None });
         }
         if Self::blocks(path)?.is_some() {
             let reason = "these are the runs of a split, and the command takes one scene: name one of them. `render`, `film`, `view`, \
@@ -82,7 +84,7 @@ impl SceneSource {
         let source = |(run, _): &(PathBuf, Block)| {
             let file = run.join(CROPPED);
             let found = fs::metadata(&file).map_err(|source| Error::read(&file, source));
-            found.map(|_| Self { named: run.clone(), file, whole: None })
+            found.map(|_| Self { named: run.clone(), file, whole: None, ground: None })
         };
         let mut sources = blocks.iter().map(source).collect::<Result<Vec<_>>>()?;
         let mut trained_on = TrainedOn::default();
@@ -98,6 +100,18 @@ impl SceneSource {
         Ok(Some(sources))
     }
 
+    /// The scene of a block with what it has learned outside of the block, which others show better.
+    pub fn with_ground(self) -> Result<Self> {
+        let run = self.file.parent().unwrap_or(Path::new(""));
+        let ground = Some(Block::load(run)?.ground());
+        Ok(Self { file: run.join(CHECKPOINT), ground, ..self })
+    }
+
+    /// Where the scene shows the world best, if it shows more.
+    pub fn ground(&self) -> Option<&Ground> {
+        self.ground.as_ref()
+    }
+
     /// Whether this stands for all blocks of a split.
     pub fn is_whole(&self) -> bool {
         self.whole.is_some()
@@ -105,7 +119,7 @@ impl SceneSource {
 
     /// A file or folder of another program, with the coordinates of the world.
     pub fn foreign(path: &Path) -> Self {
-        Self { named: path.to_owned(), file: path.to_owned(), whole: None }
+        Self { named: path.to_owned(), file: path.to_owned(), whole: None, ground: None }
     }
 
     /// Path of the scene's file.

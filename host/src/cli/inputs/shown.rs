@@ -51,6 +51,19 @@ impl Shown {
         Ok(Self { source, cameras, beside })
     }
 
+    /// Like [`Self::find`], for commands that render images: if the runs of a split are all there is to show, each is a whole image.
+    pub fn find_images(scene: &Path, others: &[PathBuf]) -> Result<Self> {
+        let mut shown = Self::find(scene, others)?;
+        let is_split = SceneSource::blocks(scene)?.map(|blocks| blocks.len());
+        if is_split == Some(1 + shown.beside.len()) {
+            shown.source = shown.source.with_ground()?;
+            for (source, ..) in &mut shown.beside {
+                *source = source.clone().with_ground()?;
+            }
+        }
+        Ok(shown)
+    }
+
     /// Fails if there are several scenes, of which none can be edited.
     pub fn require_one(&self) -> Result<()> {
         if self.beside.is_empty() { Ok(()) } else { refuse("`--edit` takes one scene") }
@@ -70,9 +83,16 @@ impl Shown {
         renderer: &Renderer,
     ) -> Result<DeviceScene> {
         let [first, others @ ..] = scenes else { unreachable!("a scene") };
-        let mut scene = renderer.upload_with(first, options)?;
-        for (other, (.., placement)) in others.iter().zip(&self.beside) {
-            scene.put(renderer.upload_with(other, options)?, *placement)?;
+        let upload = |scene: &Scene, source: &SceneSource| -> Result<DeviceScene> {
+            let mut uploaded = renderer.upload_with(scene, options)?;
+            if let Some(ground) = source.ground() {
+                uploaded.stand_on(ground.clone());
+            }
+            Ok(uploaded)
+        };
+        let mut scene = upload(first, &self.source)?;
+        for (other, (source, _, placement)) in others.iter().zip(&self.beside) {
+            scene.put(upload(other, source)?, *placement)?;
         }
         Ok(scene)
     }

@@ -24,8 +24,8 @@ Examples:
   organza render runs -o images                all blocks as one scene
 
 A block is a part of the ground, and the photographs that look into it. All blocks have about the same work. A block is a data set: \
-its folder names photographs of DATA, and copies none. What lies beyond the block is trained along, coarsely, and left out of the \
-result. report.html shows the blocks from above.";
+its folder names photographs of DATA, and copies none. What lies beyond the block is trained along, coarsely. Where blocks are shown \
+together, each counts where it shows its own part of the ground. report.html shows the blocks from above.";
 
 /// Split a capture that is larger than a machine into blocks, to train one after the other or on many machines
 #[derive(Debug, clap::Args)]

@@ -39,9 +39,12 @@ pub fn roulette<L: Lane>(faint: f32, seed: f32, k: L, value: L) -> L {
 }
 
 /// Where a ray's sequence begins, in [0, 1): a hash of its bits. Gaussians move in each training step, so the seed changes, and it depends on no
-/// other ray.
+/// other ray. Without a roulette, 0.
 #[inline(always)]
-fn seed_of(segment: Read<Vec4>, pair: u32) -> f32 {
+fn seed_of(params: &StepsParams, segment: Read<Vec4>, pair: u32) -> f32 {
+    if params.faint == 0.0 {
+        return 0.0;
+    }
     let [a, b, c, _] = segment.read(pair * SEGMENT_VECTORS).to_array();
     let [d, e, f, _] = segment.read(pair * SEGMENT_VECTORS + 1).to_array();
     let first = mix(mix(mix(a.to_bits()) ^ b.to_bits()) ^ c.to_bits());
@@ -97,7 +100,7 @@ pub fn step_count<L: Lane>(
     let pair = id.index();
     if pair < params.pairs {
         let ray = read_ray::<L>(segment, pair);
-        let seed = seed_of(segment, pair);
+        let seed = seed_of(params, segment, pair);
         let steps = steps_of(segment, pair);
         let mut occupied = L::splat(0.0);
         let mut first = 0;
@@ -127,7 +130,7 @@ pub fn step_fill<L: Lane>(
     let pair = id.index();
     if pair < params.pairs {
         let ray = read_ray::<L>(segment, pair);
-        let seed = seed_of(segment, pair);
+        let seed = seed_of(params, segment, pair);
         let steps = steps_of(segment, pair);
         let end = first_sample.read(pair + 1);
         let mut at = first_sample.read(pair);

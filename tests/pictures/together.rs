@@ -3,7 +3,7 @@
 use std::fs;
 
 use organza::render::{EyeCache, EyeOptions};
-use organza::scene::{Place, Placement, read_tensors};
+use organza::scene::{Ground, Place, Placement, read_tensors};
 use organza::{Channel, DeviceScene, Renderer, Scene};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::{assert_close, bits};
@@ -83,7 +83,10 @@ fn a_scene_far_away_changes_no_bit() {
         let with = renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders");
         assert!(bits(&with.data) == bits(&alone.data), "{device}");
         let too_far = Placement { offset: [1e300, 0.0, 0.0], ..Placement::default() };
-        assert!(scene.put(other, too_far).is_err(), "coordinates overflow");
+        assert!(scene.put(other.clone(), too_far).is_err(), "coordinates overflow");
+        let mut standing = renderer.upload(&case.scene).expect("memory");
+        standing.stand_on(Ground { placement: far, sides: [[None; 2]; 2], border: 1.0 });
+        assert!(standing.put(other, far).is_err(), "only one stands on a ground");
     }
 }
 

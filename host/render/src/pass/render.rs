@@ -68,7 +68,7 @@ impl Renderer {
         batch: &TileBatch,
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderReport> {
-        if scene.grounds().is_some() {
+        if scene.is_blended() {
             let tiles = self.render_channels(scene, cameras, batch, &[], progress)?;
             image.paste(batch, &tiles)?;
             return Ok(tiles.report);

@@ -21,18 +21,21 @@ impl DeviceScene {
     ///
     /// A pixel is one sum over the Gaussians of all scenes (Eq. 12), before this scene's background. The weight of a Gaussian has
     /// T of its own scene and, with a zero vector for u, of every other one: along the part of its ray in that scene's box (Eq.
-    /// 11). Such scenes have no gradients.
+    /// 11). Such scenes have no gradients. Scenes that [stand on a ground](Self::stand_on) are no such sum.
     ///
     /// # Errors
-    /// [`Error::Argument`](organza_core::Error::Argument) for a scene of another device, one that has others already, or a place
-    /// that is too far for f32; the same errors as [`Device::upload`](muslin_device::Device::upload). This scene is then
+    /// [`Error::Argument`](organza_core::Error::Argument) for a scene of another device, one that has others already, one with a ground beside one
+    /// without, or a place that is too far for f32; the same errors as [`Device::upload`](muslin_device::Device::upload). This scene is then
     /// not complete.
     pub fn put(&mut self, mut other: Self, place: Placement) -> Result<()> {
         if !Arc::ptr_eq(&self.device, &other.device) || !other.beside.is_empty() {
             return argument("the other scene is on another device, or is several scenes already");
         }
+        if self.all().any(|scene| scene.ground.is_some() != other.ground.is_some()) {
+            return argument("all scenes stand on a ground, or none");
+        }
         other.place = place;
-        if self.ground.is_some() && other.ground.is_some() {
+        if other.ground.is_some() {
             self.beside.push(other);
             return Ok(());
         }
@@ -53,15 +56,22 @@ impl DeviceScene {
         self.ground = Some(ground);
     }
 
+    /// Whether these are several scenes that stand on grounds, so that each is rendered alone.
+    pub(crate) fn is_blended(&self) -> bool {
+        !self.beside.is_empty() && self.all().all(|scene| scene.ground.is_some())
+    }
+
     /// The scenes that are rendered alone, each in its own coordinates, with its place in the first one's and its ground; `None` if all are
     /// one sum.
     pub(crate) fn grounds(&self) -> Option<Vec<(Self, Placement, &Ground)>> {
+        if !self.is_blended() {
+            return None;
+        }
         let alone = |scene: &Self| {
             let place = Placement::default();
             Self { place, beside: Vec::new(), fields: Vec::new(), ..scene.clone() }
         };
-        let all = self.all().map(|scene| Some((alone(scene), scene.place, scene.ground.as_ref()?)));
-        all.collect::<Option<Vec<_>>>().filter(|scenes| scenes.len() > 1)
+        self.all().map(|scene| Some((alone(scene), scene.place, scene.ground.as_ref()?))).collect()
     }
 
     /// The same scenes, on the same memory, with the scene at `index` of [`DeviceScene::all`] at another place; `index` is not 0.

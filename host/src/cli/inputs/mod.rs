@@ -31,7 +31,7 @@ pub struct SceneSource {
     file: PathBuf,
     /// Of the first block of a split: what all blocks were trained on.
     whole: Option<Whole>,
-    /// Of a block that is not cropped: where it shows the world best.
+    /// Of a block of a split that is shown as one scene: where it shows the world best.
     ground: Option<Ground>,
 }
 
@@ -81,10 +81,11 @@ impl SceneSource {
             return Ok(None);
         }
         let Some(blocks) = Block::all_in(path)? else { return Ok(None) };
-        let source = |(run, _): &(PathBuf, Block)| {
+        let source = |(run, block): &(PathBuf, Block)| {
             let file = run.join(CROPPED);
             let found = fs::metadata(&file).map_err(|source| Error::read(&file, source));
-            found.map(|_| Self { named: run.clone(), file, whole: None, ground: None })
+            let ground = Some(block.ground());
+            found.map(|_| Self { named: run.clone(), file, whole: None, ground })
         };
         let mut sources = blocks.iter().map(source).collect::<Result<Vec<_>>>()?;
         let mut trained_on = TrainedOn::default();
@@ -100,14 +101,12 @@ impl SceneSource {
         Ok(Some(sources))
     }
 
-    /// The scene of a block with what it has learned outside of the block, which others show better.
-    pub fn with_ground(self) -> Result<Self> {
-        let run = self.file.parent().unwrap_or(Path::new(""));
-        let ground = Some(Block::load(run)?.ground());
-        Ok(Self { file: run.join(CHECKPOINT), ground, ..self })
+    /// From now on, the scene of a block with what it has learned outside of the block, which others show better.
+    pub fn uncrop(&mut self) {
+        self.file.set_file_name(CHECKPOINT);
     }
 
-    /// Where the scene shows the world best, if it shows more.
+    /// Where the scene of a block shows the world best.
     pub fn ground(&self) -> Option<&Ground> {
         self.ground.as_ref()
     }

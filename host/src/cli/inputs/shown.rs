@@ -20,6 +20,8 @@ pub struct Shown {
     pub cameras: Option<PathBuf>,
     /// The others, and their places: as the user has named them, and in the first scene's coordinates.
     beside: Vec<(SceneSource, Place, Placement)>,
+    /// Whether each is the uncropped scene of a block, and counts where it shows its ground.
+    is_blended: bool,
 }
 
 impl Shown {
@@ -48,18 +50,17 @@ impl Shown {
                 ));
             }
         }
-        Ok(Self { source, cameras, beside })
+        Ok(Self { source, cameras, beside, is_blended: false })
     }
 
     /// Like [`Self::find`], for commands that render images: if the runs of a split are all there is to show, each is a whole image.
     pub fn find_images(scene: &Path, others: &[PathBuf]) -> Result<Self> {
         let mut shown = Self::find(scene, others)?;
-        let is_split = SceneSource::blocks(scene)?.map(|blocks| blocks.len());
-        if is_split == Some(1 + shown.beside.len()) {
-            shown.source = shown.source.with_ground()?;
-            for (source, ..) in &mut shown.beside {
-                *source = source.clone().with_ground()?;
-            }
+        let others = shown.beside.iter_mut().map(|(source, ..)| source);
+        let mut sources: Vec<_> = [&mut shown.source].into_iter().chain(others).collect();
+        shown.is_blended = sources.iter().all(|source| source.ground().is_some());
+        if shown.is_blended {
+            sources.iter_mut().for_each(|source| source.uncrop());
         }
         Ok(shown)
     }
@@ -85,7 +86,7 @@ impl Shown {
         let [first, others @ ..] = scenes else { unreachable!("a scene") };
         let upload = |scene: &Scene, source: &SceneSource| -> Result<DeviceScene> {
             let mut uploaded = renderer.upload_with(scene, options)?;
-            if let Some(ground) = source.ground() {
+            if let Some(ground) = source.ground().filter(|_| self.is_blended) {
                 uploaded.stand_on(ground.clone());
             }
             Ok(uploaded)

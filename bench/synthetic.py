@@ -2,9 +2,10 @@
 """Writes a synthetic workload: Gaussians in a shell, networks of full size with random weights, 16 views around them.
 
     pip install numpy safetensors
-    python bench/synthetic.py OUT_DIR [--gaussians 20000] [--tiles 64] [--side 64] [--step 0.03] [--hidden 64]
+    python bench/synthetic.py OUT_DIR [--gaussians 20000] [--tiles 64] [--side 64] [--step 0.03] [--hidden 64] [--occupancy 32]
 
 OUT_DIR gets scene.safetensors, cameras.json and tiles.json. The same options give the same files.
+A program without an occupancy grid is compared with `--occupancy 0`, which evaluates all steps of rays.
 """
 
 import argparse
@@ -39,12 +40,12 @@ def network(random, name, widths, shift):
     return tensors
 
 
-def scene(random, gaussians, step, hidden):
+def scene(random, gaussians, step, hidden, occupancy):
     """Tensors and configuration. Gaussians shrink as their number grows: they cover the same volume."""
     features = GRID["levels"] * GRID["features"]
     config = {"sh_degree": SH_DEGREE, "material": MATERIAL, "extra": EXTRA, "color_grid": GRID,
               "transmittance_grid": GRID, "color_mlp": {"hidden": [hidden] * 2},
-              "transmittance_mlp": {"hidden": [hidden] * 2}, "step": step, "blur": 0.3,
+              "transmittance_mlp": {"hidden": [hidden] * 2}, "step": step, "occupancy": occupancy, "blur": 0.3,
               "background": [0.1, 0.2, 0.3], "aabb": [[-1.5] * 3, [1.5] * 3]}
     direction = random.normal(size=(gaussians, 3))
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
@@ -79,13 +80,13 @@ def cameras():
     return {"w": WIDTH, "h": HEIGHT, "fl_x": FOCAL, "fl_y": FOCAL, "cx": WIDTH / 2, "cy": HEIGHT / 2, "frames": frames}
 
 
-def write(out, gaussians=20_000, tiles=64, side=64, step=0.03, hidden=64):
+def write(out, gaussians=20_000, tiles=64, side=64, step=0.03, hidden=64, occupancy=32):
     """Writes the three files into a folder, and returns their paths."""
     # tiles have a generator of their own, so that other changes do not move them
     random, places = np.random.default_rng(5), np.random.default_rng(6)
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
-    tensors, config = scene(random, gaussians, step, hidden)
+    tensors, config = scene(random, gaussians, step, hidden, occupancy)
     files = [out / name for name in ("scene.safetensors", "cameras.json", "tiles.json")]
     save_file(tensors, files[0], {"format": "organza.scene", "version": "1", "config": json.dumps(config)})
     files[1].write_text(json.dumps(cameras()))
@@ -104,6 +105,7 @@ def main():
     parser.add_argument("--side", type=int, default=64, help="of a tile, in pixels")
     parser.add_argument("--step", type=float, default=0.03, help="sigma: half of it, twice the samples")
     parser.add_argument("--hidden", type=int, default=64, help="width of the networks' hidden layers")
+    parser.add_argument("--occupancy", type=int, default=32, help="cells along a side of the occupancy grid; 0: none")
     args = parser.parse_args()
     for file in write(**vars(args)):
         print(file)

@@ -13,10 +13,12 @@ pub const PAIRS: u32 = 1;
 pub const INTERSECTIONS: u32 = 2;
 /// Index in `counts`: samples of the transmittance network.
 pub const SAMPLES: u32 = 3;
+/// Index in `counts`: samples with a gradient.
+pub const GRADIENTS: u32 = 4;
 /// Index in `counts` of `u32::MAX`. A kernel with this count runs over all its items, or over none after an [`OVERFLOW`].
-pub const ALL: u32 = 4;
+pub const ALL: u32 = 5;
 /// Values of `counts`.
-pub const COUNTS: u32 = 5;
+pub const COUNTS: u32 = 6;
 
 /// Parameters of [`record_total`].
 #[params]

@@ -44,6 +44,8 @@ pub struct HashGridPeakParams {
     pub color: u32,
     /// Of the transmittance network: see [`SegmentProductParams::power`](crate::transmittance::SegmentProductParams::power).
     pub power: f32,
+    /// Of the transmittance network: see [`GradientCountParams::faint`](crate::transmittance_backward::GradientCountParams::faint).
+    pub faint: f32,
 }
 
 /// The bits of |x|: in the order of the sizes, NaN last.
@@ -60,7 +62,7 @@ fn larger(a: u32, b: u32) -> u32 {
 /// Raises `bound[0]` to the bits of a bound of every |dL/dlogit|, over all pairs.
 ///
 /// For colors (Eq. 3) it is |dL/dc| / 4, as a sigmoid's slope is at most 1/4; for samples (Eq. 11) it is |power T dL/dT|,
-/// as `dT/da_k = power T s_factor (1 - sigmoid(a_k))` and s_factor is at most 1.
+/// as `dT/da_k = power T s_factor (1 - sigmoid(a_k))` and s_factor is at most 1, and `faint`, which smaller gradients may count as.
 /// `pair_gradient [pairs, 3]` is `(dL/dmean2d, dL/dopacity, dL/dT), (dL/dconic, 0), (dL/dc, 0)`; `transmittance [pairs]` is
 /// not read for colors.
 #[kernel(threads(64), over(params.pairs), counts(pairs))]
@@ -77,7 +79,8 @@ pub fn hash_grid_peak(
             let c = pair_gradient.read(3 * pair + 2) * 0.25;
             larger(larger(size_bits(c.x), size_bits(c.y)), size_bits(c.z))
         } else {
-            size_bits(params.power * (pair_gradient.read(3 * pair).w * transmittance.read(pair)))
+            let gradient = pair_gradient.read(3 * pair).w * transmittance.read(pair);
+            larger(size_bits(params.power * gradient), size_bits(params.faint))
         };
         atomic::raise(bound, 0, bits);
     }

@@ -217,5 +217,15 @@ pub fn occupied<L: Lane>(side: u32, table: Read<f32>, point: [Split<L>; 3]) -> L
         hashed: 0,
     };
     let corners = Corners::new(&level, level.cell(point));
-    sum(of_corners!(corners, |entry, weight| L::gather(table, entry) * weight))
+    if !L::GATHERS_TWO {
+        return sum(of_corners!(corners, |entry, weight| L::gather(table, entry) * weight));
+    }
+    // neighbors along x are neighbors in memory: no corner lies behind the border
+    let [ll, _, ul, _, lu, _, uu, _] = corners.entry;
+    let [a, b] = L::gather_two(table, ll);
+    let [c, d] = L::gather_two(table, ul);
+    let [e, f] = L::gather_two(table, lu);
+    let [g, h] = L::gather_two(table, uu);
+    let [wa, wb, wc, wd, we, wf, wg, wh] = corners.weight;
+    sum([a * wa, b * wb, c * wc, d * wd, e * we, f * wf, g * wg, h * wh])
 }

@@ -22,6 +22,8 @@ pub struct StepsParams {
     pub contracted: u32,
     /// Steps where the grid is less full than this play [roulette](roulette); 0: none.
     pub faint: f32,
+    /// Words of a pair: a bit for each of its steps.
+    pub words: u32,
 }
 
 /// The golden ratio's fraction: its multiples spread evenly over [0, 1) (a Kronecker sequence).
@@ -38,24 +40,25 @@ pub fn roulette<L: Lane>(faint: f32, seed: f32, k: L, value: L) -> L {
     L::select(value.less(faint), survivor, value)
 }
 
-/// Where a ray's sequence begins, in [0, 1): a hash of its bits. Gaussians move in each training step, so the seed changes, and it depends on no
-/// other ray. Without a roulette, 0.
+/// A hash of a ray's bits. Gaussians move in each training step, so it changes, and it depends on no other ray.
 #[inline(always)]
-fn seed_of(params: &StepsParams, segment: Read<Vec4>, pair: u32) -> f32 {
-    if params.faint == 0.0 {
-        return 0.0;
-    }
+pub fn hash_of(segment: Read<Vec4>, pair: u32) -> u32 {
     let [a, b, c, _] = segment.read(pair * SEGMENT_VECTORS).to_array();
     let [d, e, f, _] = segment.read(pair * SEGMENT_VECTORS + 1).to_array();
     let first = mix(mix(mix(a.to_bits()) ^ b.to_bits()) ^ c.to_bits());
-    let hash = mix(mix(mix(first ^ d.to_bits()) ^ e.to_bits()) ^ f.to_bits());
+    mix(mix(mix(first ^ d.to_bits()) ^ e.to_bits()) ^ f.to_bits())
+}
+
+/// A hash as a number in [0, 1).
+#[inline(always)]
+pub fn fraction_of(hash: u32) -> f32 {
     // an f32 holds 24 bits
     (hash >> 8) as f32 * (1.0 / 16_777_216.0)
 }
 
 /// The last step of MurmurHash3 (Appleby): each bit of the result depends on all bits.
 #[inline(always)]
-fn mix(bits: u32) -> u32 {
+pub fn mix(bits: u32) -> u32 {
     let bits = (bits ^ (bits >> 16)).wrapping_mul(0x85eb_ca6b);
     let bits = (bits ^ (bits >> 13)).wrapping_mul(0xc2b2_ae35);
     bits ^ (bits >> 16)
@@ -86,7 +89,21 @@ fn occupied_from<L: Lane>(
     L::select(k.less(count), value, L::splat(0.0))
 }
 
-/// How many of each pair's steps are samples: `segment [pairs, 4]`, `occupancy [entries^3]`, `count [pairs]`.
+/// 2 to the power of the lane.
+#[loops]
+#[inline(always)]
+fn powers<L: Lane>() -> L {
+    let mut power = L::splat(1.0);
+    let mut lane = 1;
+    while lane < L::WIDTH {
+        power = L::select(L::splat(lane as f32).less_equal(L::ramp()), power + power, power);
+        lane += 1;
+    }
+    power
+}
+
+/// Which of each pair's steps are samples, and how many: `segment [pairs, 4]`, `occupancy [entries^3]`, `bits [pairs, words]`,
+/// `count [pairs]`. Words behind a ray's last step are not written.
 ///
 /// On a CPU, the lanes are neighboring steps.
 #[kernel(threads(64), over(params.pairs), iterations = MAX_SAMPLES, lanes, counts(pairs))]
@@ -95,64 +112,64 @@ pub fn step_count<L: Lane>(
     params: &StepsParams,
     segment: Read<Vec4>,
     occupancy: Read<f32>,
+    bits: Write<u32>,
     count: Write<u32>,
 ) {
     let pair = id.index();
     if pair < params.pairs {
         let ray = read_ray::<L>(segment, pair);
-        let seed = seed_of(params, segment, pair);
+        // where the ray's sequence begins
+        let mut seed = 0.0;
+        if params.faint > 0.0 {
+            seed = fraction_of(hash_of(segment, pair));
+        }
         let steps = steps_of(segment, pair);
-        let mut occupied = L::splat(0.0);
+        let zero = L::splat(0.0);
+        let powers = powers::<L>();
+        let mut samples = 0;
+        let mut word = 0;
         let mut first = 0;
         while first < steps {
-            let is_occupied =
-                L::splat(0.0).less(occupied_from(params, occupancy, ray, seed, first));
-            occupied = occupied + L::select(is_occupied, L::splat(1.0), L::splat(0.0));
+            let value = occupied_from(params, occupancy, ray, seed, first);
+            // the sum of different powers of two, up to 2^15, is exact
+            let of_lanes = L::select(zero.less(value), powers, zero).sum() as u32;
+            word |= of_lanes << (first % u32::BITS);
             first += L::WIDTH;
+            if first % u32::BITS == 0 || first >= steps {
+                bits.write(pair * params.words + (first - 1) / u32::BITS, word);
+                samples += word.count_ones();
+                word = 0;
+            }
         }
-        count.write(pair, occupied.sum() as u32);
+        count.write(pair, samples);
     }
 }
 
-/// Lists the steps that [`step_count`] has counted: `first_sample [pairs + 1]`; `step [samples]` is k, and `full [samples]` how full x_k is.
-///
-/// A driver may round a place differently here. So the number of samples decides: what is missing is step 0, and counts as empty.
-#[kernel(threads(64), over(params.pairs), iterations = 3 * MAX_SAMPLES, lanes, counts(pairs))]
-pub fn step_fill<L: Lane>(
+/// Lists the steps whose bits [`step_count`] has set: `first_sample [pairs + 1]`; `step [samples]` is k.
+#[kernel(threads(64), over(params.pairs), iterations = MAX_SAMPLES + MAX_SAMPLES / u32::BITS, counts(pairs))]
+pub fn step_fill(
     id: Invocation,
     params: &StepsParams,
-    segment: Read<Vec4>,
-    occupancy: Read<f32>,
+    bits: Read<u32>,
     first_sample: Read<u32>,
     step: Write<f32>,
-    full: Write<f32>,
 ) {
     let pair = id.index();
     if pair < params.pairs {
-        let ray = read_ray::<L>(segment, pair);
-        let seed = seed_of(params, segment, pair);
-        let steps = steps_of(segment, pair);
         let end = first_sample.read(pair + 1);
         let mut at = first_sample.read(pair);
-        let mut first = 0;
-        while first < steps && at < end {
-            let value = occupied_from(params, occupancy, ray, seed, first);
-            let mut lane = 0;
-            while lane < L::WIDTH {
-                let value = value.lane(lane);
-                if value > 0.0 && at < end {
-                    step.write(at, (first + lane) as f32);
-                    full.write(at, value);
-                    at += 1;
-                }
-                lane += 1;
-            }
-            first += L::WIDTH;
-        }
+        let mut next = 0;
+        let mut word = 0;
         while at < end {
-            step.write(at, 0.0);
-            full.write(at, 0.0);
-            at += 1;
+            if word == 0 {
+                word = bits.read(pair * params.words + next);
+                next += 1;
+            } else {
+                let k = (next - 1) * u32::BITS + word.trailing_zeros();
+                step.write(at, k as f32);
+                word &= word - 1;
+                at += 1;
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ use glam::Vec4;
 use crate::dense::{HeadParams, column};
 use crate::hash_grid::{POINT_ROWS, value_at, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
+use crate::occupancy::occupied;
 use crate::segment::{midpoint, read_ray};
 use muslin::lane_vec4::LaneVec4;
 use muslin::math::{exp, log_sigmoid};
@@ -29,8 +30,10 @@ pub struct TransmittanceInputsParams {
     pub extra_row: u32,
     /// 1 where what lies outside the scene's box is contracted.
     pub contracted: u32,
-    /// 1 where `step` and `full` list the samples.
-    pub listed: u32,
+    /// Cells along a side of the occupancy grid, where `step` lists the samples; 0 without a grid.
+    pub side: u32,
+    /// See [`StepsParams::faint`](crate::steps::StepsParams::faint).
+    pub faint: f32,
 }
 
 /// The pair that owns a sample: the last one whose samples do not begin after it. Likewise, the tile that owns an intersection.
@@ -57,7 +60,7 @@ fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
 /// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`. With an
-/// [occupancy grid](crate::occupancy), [`steps`](crate::steps) have listed each sample's k, and how full x_k is: `s_factor` is times that.
+/// [occupancy grid](crate::occupancy), [`steps`](crate::steps) have listed each sample's k, and `s_factor` is times how full x_k is.
 ///
 /// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and goes on from where the pair ends.
 #[kernel(threads(64), over(params.samples), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs))]
@@ -69,7 +72,7 @@ pub fn transmittance_inputs<L: Lane>(
     segment: Read<Vec4>,
     extra: Read<f32>,
     step: Read<f32>,
-    full: Read<f32>,
+    occupancy: Read<f32>,
     point: Write<f32>,
     input: Write<f32>,
 ) {
@@ -101,13 +104,17 @@ pub fn transmittance_inputs<L: Lane>(
             u = LaneIndex::select(is_later, first, u);
         }
 
-        let mut factor = ray[0].w;
-        if params.listed != 0 {
+        if params.side != 0 {
             k = L::read(step, sample);
-            factor = factor * L::read(full, sample);
+        }
+        let place = midpoint(params.contracted, ray, k);
+        let mut factor = ray[0].w;
+        if params.side != 0 {
+            // what has survived the roulette counts as `faint` at least
+            factor = factor * occupied(params.side, occupancy, place).max(L::splat(params.faint));
         }
         let stride = params.stride;
-        write_point(point, stride, index, midpoint(params.contracted, ray, k));
+        write_point(point, stride, index, place);
         factor.write(point, POINT_ROWS * stride + index);
         let mut row = 0;
         while row < params.extra {

@@ -5,9 +5,72 @@ use glam::Vec4;
 use crate::dense::HeadParams;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
 use crate::splat::VECTORS;
+use crate::steps::{fraction_of, hash_of, mix};
 use crate::transmittance::logit_and_factor;
-use muslin::math::sigmoid;
+use muslin::math::{TINY, abs, max, sigmoid};
 use muslin::prelude::*;
+
+/// Parameters of [`gradient_count`].
+#[params]
+pub struct GradientCountParams {
+    /// Pairs of the part.
+    pub pairs: u32,
+    /// See [`SegmentProductParams::power`](crate::transmittance::SegmentProductParams::power).
+    pub power: f32,
+    /// Gradients smaller than this play roulette.
+    pub faint: f32,
+}
+
+/// `dL/dlog_rho_k = power dL/dT T` of Eq. 11, the same for all samples of a pair.
+#[inline(always)]
+fn log_rho_gradient_of(
+    transmittance: Read<f32>,
+    pair_gradient: Read<Vec4>,
+    power: f32,
+    pair: u32,
+) -> f32 {
+    power * (pair_gradient.read(pair * VECTORS).w * transmittance.read(pair))
+}
+
+/// Russian roulette: whether a gradient g survives, of a ray with this hash. With `|g| < faint`, it does with a probability of `|g| / faint`;
+/// below [`TINY`], which a GPU can flush, never.
+/// Then it [counts](survivor) as `faint`, so that sums of gradients keep their means.
+#[inline(always)]
+pub fn survives(faint: f32, gradient: f32, hash: u32) -> bool {
+    // the ray's steps have used its hash
+    max(fraction_of(mix(hash)) * faint, TINY) < abs(gradient)
+}
+
+/// What a gradient that [survives] counts as.
+#[inline(always)]
+pub fn survivor(faint: f32, gradient: f32) -> f32 {
+    let least = if gradient < 0.0 { -faint } else { faint };
+    if abs(gradient) < faint { least } else { gradient }
+}
+
+/// How many of each pair's samples get a gradient, all or none: `count [pairs]`.
+///
+/// `segment [pairs, 4]`, `first_sample [pairs + 1]`, `transmittance [pairs]`, `pair_gradient [pairs, 3]`.
+#[kernel(threads(64), over(params.pairs), counts(pairs))]
+pub fn gradient_count(
+    id: Invocation,
+    params: &GradientCountParams,
+    segment: Read<Vec4>,
+    first_sample: Read<u32>,
+    transmittance: Read<f32>,
+    pair_gradient: Read<Vec4>,
+    count: Write<u32>,
+) {
+    let pair = id.index();
+    if pair < params.pairs {
+        let gradient = log_rho_gradient_of(transmittance, pair_gradient, params.power, pair);
+        let mut samples = 0;
+        if survives(params.faint, gradient, hash_of(segment, pair)) {
+            samples = first_sample.read(pair + 1) - first_sample.read(pair);
+        }
+        count.write(pair, samples);
+    }
+}
 
 /// Parameters of [`segment_product_backward`].
 #[params]
@@ -22,6 +85,8 @@ pub struct SegmentProductBackwardParams {
     pub first_sample: u32,
     /// See [`SegmentProductParams::power`](crate::transmittance::SegmentProductParams::power).
     pub power: f32,
+    /// See [`GradientCountParams::faint`].
+    pub faint: f32,
 }
 
 /// A pair's samples within a chunk, counted from the chunk's first: begin and end.
@@ -35,7 +100,7 @@ fn samples_of(first_sample: Read<u32>, pair: u32, chunk: u32, samples: u32) -> (
 }
 
 /// The gradient of a chunk's logarithms of Eq. 11's factors, the same for all samples of a pair:
-/// `dL/dlog_rho_k = power dL/dT T`.
+/// `dL/dlog_rho_k = power dL/dT T`, or what is left of it after [`gradient_count`].
 ///
 /// `first_sample [all pairs + 1]`, `transmittance [all pairs]`; `pair_gradient [all pairs, 3]`, dL/dT in the first one's
 /// last place; `log_rho_gradient [samples]`.
@@ -52,8 +117,8 @@ pub fn segment_product_backward(
     if index < params.pairs {
         let pair = params.first_pair + index;
         let (begin, end) = samples_of(first_sample, pair, params.first_sample, params.samples);
-        let gradient = pair_gradient.read(pair * VECTORS).w * transmittance.read(pair);
-        let gradient = params.power * gradient;
+        let gradient = log_rho_gradient_of(transmittance, pair_gradient, params.power, pair);
+        let gradient = survivor(params.faint, gradient);
         let mut sample = begin;
         while sample < end {
             log_rho_gradient.write(sample, gradient);

@@ -28,7 +28,7 @@ impl Parity for HashGridPeak {
     fn sets() -> Vec<(String, Self)> {
         let set = |pair_gradient, transmittance: Vec<f32>, color, power| {
             let pairs = transmittance.len() as u32;
-            let params = HashGridPeakParams { pairs, color: u32::from(color), power };
+            let params = HashGridPeakParams { pairs, color: u32::from(color), power, faint: 0.0 };
             Self(HashGridPeakInputs { params, pair_gradient, transmittance, bound: vec![0] })
         };
         let mut sets = Vec::new();
@@ -50,6 +50,12 @@ impl Parity for HashGridPeak {
                 ));
             }
         }
+        // gradients that survive a roulette may be larger
+        for faint in [0.5, 100.0] {
+            let mut faint_set = set(vec![Vec4::splat(2.0); 300], vec![0.7; 100], false, 1.0);
+            faint_set.params.faint = faint;
+            sets.push((format!("faint below {faint}"), faint_set));
+        }
         sets
     }
 
@@ -58,9 +64,13 @@ impl Parity for HashGridPeak {
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
+        let HashGridPeakParams { power, faint, .. } = self.params;
         let of_pair = |(pair, &t): (&[Vec4], &f32)| match self.params.color == 1 {
             true => color_bound(pair[2].truncate().to_array().map(Rounded::from)),
-            false => transmittance_bound([pair[0].w, t, self.params.power].map(Rounded::from)),
+            false => match transmittance_bound([pair[0].w, t, power].map(Rounded::from)) {
+                bound if bound.value < faint.into() => faint.into(),
+                bound => bound,
+            },
         };
         listed([largest(self.pair_gradient.chunks_exact(3).zip(&self.transmittance).map(of_pair))])
     }

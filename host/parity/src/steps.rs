@@ -26,6 +26,11 @@ fn mix(mut bits: u32) -> u32 {
     bits ^ bits >> 16
 }
 
+/// A hash as a number in [0, 1).
+fn fraction(hash: u32) -> f64 {
+    f64::from(hash >> 8) / f64::from(1 << 24)
+}
+
 /// Rays as `segment` writes them. No sample lies outside the cube.
 #[derive(Clone, Debug)]
 pub(super) struct Rays {
@@ -75,6 +80,18 @@ impl Rays {
         self
     }
 
+    /// A hash of a ray's first two vectors.
+    fn hash(&self, pair: usize) -> u32 {
+        let vectors = &self.vectors[4 * pair..][..2];
+        let values = vectors.iter().flat_map(|vector| vector.truncate().to_array());
+        values.fold(0, |hash, value| mix(hash ^ value.to_bits()))
+    }
+
+    /// The chance of a ray's gradient.
+    pub fn gradient_chance(&self, pair: usize) -> f64 {
+        fraction(mix(self.hash(pair)))
+    }
+
     /// K of a ray.
     fn steps(&self, pair: usize) -> u32 {
         self.vectors[4 * pair + 3].w as u32
@@ -115,7 +132,14 @@ impl Occupied {
     fn new(steps: &[u32], is_contracted: bool, faint: f32, random: &mut Random) -> Self {
         let side = 7;
         let contracted = u32::from(is_contracted);
-        let params = StepsParams { pairs: steps.len() as u32, side, contracted, faint };
+        let longest = steps.iter().max().map_or(0, |&steps| steps);
+        let params = StepsParams {
+            pairs: steps.len() as u32,
+            side,
+            contracted,
+            faint,
+            words: longest.div_ceil(u32::BITS),
+        };
         let rays = Rays { vectors: Vec::new(), is_contracted };
         let mut set = Self { rays, params, table: Vec::new() };
         let entries = set.grid().entries().pow(3);
@@ -155,12 +179,9 @@ impl Occupied {
             || is_close(full - faint)
     }
 
-    /// The golden sequence of a ray, from the hash of its first two vectors' bits on.
+    /// The golden sequence of a ray, from its hash on.
     fn chance(&self, pair: usize, k: u32) -> f64 {
-        let vectors = &self.rays.vectors[4 * pair..][..2];
-        let values = vectors.iter().flat_map(|vector| vector.truncate().to_array());
-        let hash = values.fold(0, |hash, value| mix(hash ^ value.to_bits()));
-        let seed = f64::from(hash >> 8) / f64::from(1 << 24);
+        let seed = fraction(self.rays.hash(pair));
         (seed + f64::from(k) * (5_f64.sqrt() - 1.0) / 2.0).fract()
     }
 
@@ -169,16 +190,20 @@ impl Occupied {
         self.grid().occupied(&self.table, self.rays.midpoint(pair, k))
     }
 
-    /// The steps that are samples, and how full they count.
-    fn of(&self, pair: usize) -> Vec<(u32, f64)> {
+    /// The steps that are samples.
+    fn of(&self, pair: usize) -> Vec<u32> {
         let faint = f64::from(self.params.faint);
-        let played = |k| match self.full(pair, k) {
-            full if full >= faint => full,
-            full if self.chance(pair, k) * faint < full => faint,
-            _ => 0.0,
+        let is_sample = |&k: &u32| match self.full(pair, k) {
+            full if full >= faint => full > 0.0,
+            full => self.chance(pair, k) * faint < full,
         };
-        let all = (0..self.rays.steps(pair)).map(|k| (k, played(k)));
-        all.filter(|&(_, full)| full > 0.0).collect()
+        (0..self.rays.steps(pair)).filter(is_sample).collect()
+    }
+
+    /// A word of a ray's bits: step k is bit k % 32 of word k / 32.
+    fn word(&self, pair: usize, word: usize) -> u32 {
+        let of_word = self.of(pair).into_iter().filter(|&k| k as usize / 32 == word);
+        of_word.map(|k| 1 << (k % 32)).sum()
     }
 
     /// Sets by name: rays with no step, with one, and with many.
@@ -210,6 +235,7 @@ impl Parity for StepCount {
                 params: rays.params,
                 segment: rays.rays.vectors.clone(),
                 occupancy: rays.table.clone(),
+                bits: unwritten((rays.params.pairs * rays.params.words) as usize),
                 count: unwritten(rays.params.pairs as usize),
             };
             (name, Self { inputs, rays })
@@ -217,56 +243,40 @@ impl Parity for StepCount {
         Occupied::sets().into_iter().map(case).collect()
     }
 
-    fn exact_at(&self, _: &str, pair: usize) -> Option<Rounded> {
-        Some(Rounded::exact(self.rays.of(pair).len() as f64))
+    fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
+        if output == "count" {
+            return Some(Rounded::exact(self.rays.of(index).len() as f64));
+        }
+        let words = self.params.words as usize;
+        let pair = index / words;
+        let word = index % words;
+        let is_written = word < self.rays.rays.steps(pair).div_ceil(u32::BITS) as usize;
+        is_written.then(|| Rounded::exact(self.rays.word(pair, word).into()))
     }
 }
 
-case!(pub StepFill(StepFillInputs) { listed: Vec<(u32, f64)> });
-
-impl StepFill {
-    /// With room for some more samples than there are in each pair, or fewer.
-    fn new(rays: Occupied, more: i32) -> Self {
-        let of = (0..rays.params.pairs as usize).map(|pair| {
-            let mut of = rays.of(pair);
-            of.resize(of.len().saturating_add_signed(more as isize), (0, 0.0));
-            of
-        });
-        let of: Vec<_> = of.collect();
-        let first_sample = prefix(of.iter().map(|of| of.len() as u32));
-        let listed = of.concat();
-        let inputs = StepFillInputs {
-            params: rays.params,
-            segment: rays.rays.vectors,
-            occupancy: rays.table,
-            first_sample,
-            step: unwritten(listed.len()),
-            full: unwritten(listed.len()),
-        };
-        Self { inputs, listed }
-    }
-}
+case!(pub StepFill(StepFillInputs) { listed: Vec<u32> });
 
 impl Parity for StepFill {
     fn sets() -> Vec<(String, Self)> {
-        let mut sets = Vec::new();
-        for (name, rays) in Occupied::sets() {
-            if name == "65 rays" {
-                // a driver has rounded places differently when it counted
-                sets.push(("samples that are missing".into(), Self::new(rays.clone(), 2)));
-                sets.push(("too many samples".into(), Self::new(rays.clone(), -2)));
-            }
-            sets.push((name, Self::new(rays, 0)));
-        }
-        sets
+        let case = |(name, rays): (String, Occupied)| {
+            let pairs = 0..rays.params.pairs as usize;
+            let of: Vec<_> = pairs.clone().map(|pair| rays.of(pair)).collect();
+            let words = 0..rays.params.words as usize;
+            let word = |pair| words.clone().map(move |word| (pair, word));
+            let listed = of.concat();
+            let inputs = StepFillInputs {
+                params: rays.params,
+                bits: pairs.flat_map(word).map(|(pair, word)| rays.word(pair, word)).collect(),
+                first_sample: prefix(of.iter().map(|of| of.len() as u32)),
+                step: unwritten(listed.len()),
+            };
+            (name, Self { inputs, listed })
+        };
+        Occupied::sets().into_iter().map(case).collect()
     }
 
-    fn exact_at(&self, output: &str, sample: usize) -> Option<Rounded> {
-        let (k, full) = self.listed[sample];
-        Some(match output {
-            "step" => Rounded::exact(k.into()),
-            // the weights of a cell's corners, as one f32 knows them
-            _ => Rounded::within(full, 2e-6 + f64::from(TINY)),
-        })
+    fn exact_at(&self, _: &str, sample: usize) -> Option<Rounded> {
+        Some(Rounded::exact(self.listed[sample].into()))
     }
 }

@@ -10,6 +10,7 @@ use organza_shaders::transmittance::{
 
 use super::color::joined;
 use super::dense::{Dense, head_sets};
+use super::exact::occupancy::OccupancyGrid;
 use super::exact::transmittance::{log_rho, transmittance};
 use super::scan::prefix;
 use super::steps::Rays;
@@ -65,25 +66,28 @@ impl TransmittanceInputs {
                 extra: 2,
                 extra_row: 1,
                 contracted: 0,
-                listed: 0,
+                side: 0,
+                faint: 0.0,
             },
             pair: (0..pairs).map(|_| random.below(3 * gaussians)).collect(),
             first_sample,
             segment: rays.vectors.clone(),
             extra: fill.values(random, 2 * gaussians as usize, [-1.0, 1.0], 3e38),
             step: vec![0.0],
-            full: vec![0.0],
+            occupancy: vec![0.0],
             point: unwritten(((POINT_ROWS + 1) * stride) as usize),
             input: unwritten(4 * stride as usize),
         };
         Self { inputs, rays }
     }
 
-    /// The same samples as some of more steps.
-    fn listed(mut self, random: &mut Random) -> Self {
+    /// The same samples as some of more steps, through a grid.
+    fn listed(mut self, faint: f32, random: &mut Random) -> Self {
         let all = self.first_sample[self.first_sample.len() - 1] as usize;
-        self.params.listed = 1;
-        self.full = random.values(all, 0.0, 1.0);
+        self.params.side = 7;
+        self.params.faint = faint;
+        let entries = self.grid().entries().pow(3);
+        self.occupancy = (0..entries).map(|_| random.between(-0.5, 1.0).max(0.0)).collect();
         self.step = vec![0.0; all];
         for (pair, vectors) in self.rays.vectors.chunks_mut(SEGMENT_VECTORS as usize).enumerate() {
             vectors[3].w = vectors[3].w * 3.0 + 2.0;
@@ -94,6 +98,11 @@ impl TransmittanceInputs {
         }
         self.inputs.segment = self.rays.vectors.clone();
         self
+    }
+
+    fn grid(&self) -> OccupancyGrid {
+        let is_contracted = self.params.contracted == 1;
+        OccupancyGrid { side: self.params.side, aabb: [[0.0; 3], [1.0; 3]], is_contracted }
     }
 
     /// The same samples on contracted rays, with ends up to 300 cubes away.
@@ -119,7 +128,10 @@ impl Parity for TransmittanceInputs {
             for (name, set) in
                 [("listed", set.clone()), ("contracted and listed", contracted.clone())]
             {
-                sets.push((format!("{samples} samples, {name}"), set.listed(&mut random)));
+                for (more, faint) in [("", 0.0), (", roulette", 0.25)] {
+                    let set = set.clone().listed(faint, &mut random);
+                    sets.push((format!("{samples} samples, {name}{more}"), set));
+                }
             }
             sets.push((format!("{samples} samples, contracted"), contracted));
         }
@@ -150,19 +162,26 @@ impl Parity for TransmittanceInputs {
         }
         let factor = self.segment[4 * pair].w;
         let sample = FIRST_SAMPLE as usize + column;
-        let is_listed = self.params.listed == 1;
-        if output == "s_factor" {
-            let full = if is_listed { self.full[sample] } else { 1.0 };
-            return Some(Rounded::from(factor) * Rounded::from(full));
-        }
+        let is_listed = self.params.side != 0;
         let k = if is_listed {
             self.step[sample] as u32
         } else {
             sample as u32 - self.first_sample[pair]
         };
+        let place = self.rays.midpoint(pair, k);
         // a place on the ray and a point in two parts: roundings, and a division of 3 ulp, of the second, below 1/1024
         let error = if self.params.contracted == 0 { 1e-9 } else { 1e-6 };
-        Some(Rounded::within(self.rays.midpoint(pair, k)[row], error + f64::from(TINY)))
+        if output == "s_factor" {
+            if !is_listed {
+                return Some(factor.into());
+            }
+            let full = self.grid().occupied(&self.occupancy, place);
+            // the weights of a cell's corners, as one f32 knows them, and the steepest slope of the grid
+            let error = 2e-6 + 3.0 * f64::from(self.params.side) * error;
+            let full = Rounded::within(full.max(self.params.faint.into()), error);
+            return Some(Rounded::from(factor) * full);
+        }
+        Some(Rounded::within(place[row], error + f64::from(TINY)))
     }
 }
 

@@ -1,13 +1,16 @@
-//! Cases of `segment_product_backward`, `transmittance_head_backward` and `extra_backward`.
+//! Cases of `gradient_count`, `segment_product_backward`, `transmittance_head_backward` and `extra_backward`.
 
+use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::transmittance_backward::{
-    ExtraBackwardInputs, ExtraBackwardParams, SegmentProductBackwardInputs,
-    SegmentProductBackwardParams, TransmittanceHeadBackwardInputs,
+    ExtraBackwardInputs, ExtraBackwardParams, GradientCountInputs, GradientCountParams,
+    SegmentProductBackwardInputs, SegmentProductBackwardParams, TransmittanceHeadBackwardInputs,
 };
 
 use super::dense::{Dense, head_sets};
 use super::exact::transmittance::log_rho;
+use super::scan::prefix;
+use super::steps::Rays;
 use super::transmittance::{FIRST_SAMPLE, factor, long_pairs, owner, points, some_pairs};
 
 /// Samples behind the chunk.
@@ -37,6 +40,63 @@ fn pairs((first_sample, samples): &Chunk) -> [u32; 2] {
     [first as u32, end.saturating_sub(first) as u32]
 }
 
+/// The gradient of each sample's logarithm in a pair: a logarithm is a term of the sum.
+fn log_rho_gradient(
+    power: f32,
+    pair_gradient: &[Vec4],
+    transmittance: &[f32],
+    pair: usize,
+) -> Rounded {
+    let slope = Rounded::from(pair_gradient[3 * pair].w);
+    // the slope of an exponential, of its value
+    Rounded::from(power) * (slope * transmittance[pair].into())
+}
+
+case!(pub GradientCount(GradientCountInputs) { rays: Rays });
+
+impl GradientCount {
+    fn new(pairs: u32, faint: f32, fill: Fill, random: &mut Random) -> Self {
+        let all = pairs as usize;
+        let steps: Vec<_> = (0..pairs).map(|_| random.below(40)).collect();
+        let rays = Rays::new(&steps, fill, random);
+        let transmittance = fill.values(random, all, [0.0, 1.0], 1.0);
+        let inputs = GradientCountInputs {
+            params: GradientCountParams { pairs, power: 2.0, faint },
+            segment: rays.vectors.clone(),
+            first_sample: prefix((0..pairs).map(|_| random.below(9).saturating_sub(2))),
+            transmittance: transmittance.into_iter().map(f32::abs).collect(),
+            pair_gradient: fill.vectors(random, 3 * all, [-1.0, 1.0], 3e38),
+            count: unwritten(all),
+        };
+        Self { inputs, rays }
+    }
+}
+
+impl Parity for GradientCount {
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = Vec::new();
+        for faint in [0.0, 0.3, 3.0] {
+            let of = inputs::sets(|pairs, fill, random| Self::new(pairs, faint, fill, random));
+            sets.extend(of.into_iter().map(|(name, set)| (format!("{name}, {faint}"), set)));
+        }
+        sets
+    }
+
+    fn exact_at(&self, _: &str, pair: usize) -> Option<Rounded> {
+        let GradientCountParams { power, faint, .. } = self.params;
+        let gradient = log_rho_gradient(power, &self.pair_gradient, &self.transmittance, pair);
+        let bound = self.rays.gradient_chance(pair) * f64::from(faint);
+        let bound = bound.max(TINY.into());
+        // one rounding of the bound
+        let is_close = (gradient.value.abs() - bound).abs() <= gradient.error + 1e-7 * bound;
+        if is_close && gradient.value != 0.0 {
+            return Some(Rounded::UNKNOWN);
+        }
+        let samples = self.first_sample[pair + 1] - self.first_sample[pair];
+        Some(Rounded::exact(if gradient.value.abs() > bound { samples.into() } else { 0.0 }))
+    }
+}
+
 case!(pub SegmentProductBackward(SegmentProductBackwardInputs));
 
 impl SegmentProductBackward {
@@ -52,6 +112,7 @@ impl SegmentProductBackward {
                 samples,
                 first_sample: FIRST_SAMPLE,
                 power: 1.0,
+                faint: 0.0,
             },
             first_sample,
             transmittance: transmittance.into_iter().map(f32::abs).collect(),
@@ -67,16 +128,19 @@ impl Parity for SegmentProductBackward {
         let mut random = Random::new(15);
         let mut set = Self::new(chunk(900, &mut random), Fill::Random, &mut random);
         set.params.power = 4.0;
-        sets.push(("steps four times as long".into(), set));
+        sets.push(("steps four times as long".into(), set.clone()));
+        set.params.faint = 0.5;
+        sets.push(("roulette".into(), set));
         sets
     }
 
-    /// A sample's logarithm is a term of the sum.
     fn exact_at(&self, _: &str, sample: usize) -> Option<Rounded> {
         let pair = owner(&self.first_sample, sample);
-        let slope = Rounded::from(self.pair_gradient[3 * pair].w);
-        // the slope of an exponential, of its value
-        Some(Rounded::from(self.params.power) * (slope * self.transmittance[pair].into()))
+        let SegmentProductBackwardParams { power, faint, .. } = self.params;
+        let gradient = log_rho_gradient(power, &self.pair_gradient, &self.transmittance, pair);
+        let is_faint = gradient.value.abs() < f64::from(faint);
+        let survivor = if gradient.value < 0.0 { -faint } else { faint };
+        Some(if is_faint { survivor.into() } else { gradient })
     }
 }
 

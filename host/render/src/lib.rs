@@ -28,7 +28,7 @@ pub use queries::frame::{Frame, FrameShape};
 pub use queries::pixel::Stages;
 pub use queries::pixel::{Contribution, Inspection, Trace};
 pub use queries::surface::Surface;
-pub use scene::device_scene::DeviceScene;
+pub use scene::device_scene::{DeviceScene, Roulette};
 pub use scene::occupancy::OCCUPANCY;
 pub use scene::options::UploadOptions;
 pub use scene::packed::{pack, replace_gaussians, unpack, upload};

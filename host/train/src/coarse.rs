@@ -8,7 +8,7 @@ use super::config::RunConfig;
 use super::sampler::Sampler;
 use organza_core::{Camera, Error, Result, TileBatch};
 use organza_data::Frame;
-use organza_render::DeviceScene;
+use organza_render::{DeviceScene, Roulette};
 
 /// Factor by which photographs are smaller in coarse steps.
 const FACTOR: u32 = 2;
@@ -34,7 +34,7 @@ pub struct Drawn {
     /// Length of T's steps, as a multiple of sigma.
     pub ray_steps: u32,
     /// See [`DeviceScene::with_roulette`].
-    pub faint: f32,
+    pub roulette: Roulette,
 }
 
 impl Batches {
@@ -58,22 +58,31 @@ impl Batches {
 
     /// Draws the tiles of a step from the photographs of [`Self::new`].
     pub fn draw(&mut self, run: &RunConfig, step: u32, frames: &[&Frame]) -> Drawn {
-        let faint = run.roulette as f32;
+        let roulette = Roulette {
+            samples: run.roulette as f32,
+            // the loss is a mean over pixels
+            gradients: (run.gradient_roulette / run.pixels_per_step()) as f32,
+        };
         if run.fraction(step) >= run.coarse {
-            return Drawn { faint, ..self.whole(step, frames) };
+            return Drawn { roulette, ..self.whole(step, frames) };
         }
         let ray_steps = RAY_STEPS;
         match &mut self.smaller {
             Some(smaller) => {
-                Drawn { batch: smaller.batch(step, frames), factor: FACTOR, ray_steps, faint }
+                Drawn { batch: smaller.batch(step, frames), factor: FACTOR, ray_steps, roulette }
             }
-            None => Drawn { ray_steps, faint, ..self.whole(step, frames) },
+            None => Drawn { ray_steps, roulette, ..self.whole(step, frames) },
         }
     }
 
     /// Draws the tiles of a step that is as exact as an image.
     pub fn whole(&mut self, step: u32, frames: &[&Frame]) -> Drawn {
-        Drawn { batch: self.whole.batch(step, frames), factor: 1, ray_steps: 1, faint: 0.0 }
+        Drawn {
+            batch: self.whole.batch(step, frames),
+            factor: 1,
+            ray_steps: 1,
+            roulette: Roulette::default(),
+        }
     }
 }
 
@@ -81,7 +90,7 @@ impl Drawn {
     /// The scene as the step shows it.
     #[must_use]
     pub fn scene(&self, scene: &DeviceScene) -> DeviceScene {
-        scene.coarser(self.factor, self.ray_steps).with_roulette(self.faint)
+        scene.coarser(self.factor, self.ray_steps).with_roulette(self.roulette)
     }
 
     /// The cameras of the images that the tiles belong to, given the photographs' cameras.
@@ -115,8 +124,8 @@ mod tests {
             let drawn = batches.draw(&run, step, &frames);
             let expected = if step < 6 { [2; 2] } else { [1; 2] };
             assert_eq!([drawn.factor, drawn.ray_steps], expected, "{step}");
-            assert_eq!(drawn.faint, 0.25);
-            assert_eq!(batches.whole(step, &frames).faint, 0.0);
+            assert_eq!(drawn.roulette.samples, 0.25);
+            assert_eq!(batches.whole(step, &frames).roulette, Roulette::default());
             let seen = drawn.cameras(&cameras);
             let side = 40 / drawn.factor;
             assert!(seen.iter().all(|camera| [camera.width, camera.height] == [side; 2]));

@@ -6,4 +6,5 @@ mod dense_weight_backward;
 mod hash_grid_backward;
 mod segment;
 mod steps;
+mod transmittance_backward;
 mod unit_cube;

@@ -19,6 +19,7 @@ fn the_same_loss_gives_the_same_bits() {
     config.poses.refine = true;
     // a caller's loss sees all samples
     config.run.roulette = 0.0;
+    config.run.gradient_roulette = 0.0;
     let weight = config.loss.ssim_weight;
     for (name, device) in devices::all() {
         let exposes = device.backend() == "cpu";

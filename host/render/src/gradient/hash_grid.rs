@@ -59,21 +59,23 @@ impl HashGridGradient {
 
     /// Raises the bound of the gradients that are added until the next [`finish`](Self::finish).
     ///
-    /// `pair_gradient [pairs, 3]`. `transmittance` is T `[pairs]` and its exponent for the transmittance field, `None` for the
-    /// color field.
+    /// `pair_gradient [pairs, 3]`. `transmittance` is T `[pairs]`, its exponent and `faint` of [`gradient_count`] for the
+    /// transmittance field, `None` for the color field.
+    ///
+    /// [`gradient_count`]: organza_shaders::transmittance_backward::gradient_count()
     pub fn raise_bound(
         &self,
         device: &Device,
         pair_gradient: &Buffer<Vec4>,
-        transmittance: Option<(&Buffer<f32>, f32)>,
+        transmittance: Option<(&Buffer<f32>, f32, f32)>,
         pairs: &Count,
     ) -> Result<()> {
         let capacity = pairs.upper_bound();
         let color = u32::from(transmittance.is_none());
         // every binding needs a buffer, even if the kernel does not read it
-        let (transmittance, power) = transmittance.unwrap_or((&self.scale, 1.0));
+        let (transmittance, power, faint) = transmittance.unwrap_or((&self.scale, 1.0, 0.0));
         let kernel = HashGridPeakKernel {
-            params: HashGridPeakParams { pairs: capacity, color, power },
+            params: HashGridPeakParams { pairs: capacity, color, power, faint },
             pair_gradient,
             transmittance,
             bound: &self.bound,
@@ -205,7 +207,7 @@ mod tests {
             let pair = pair.expect("memory");
             let all = 2 * samples;
             let counts = [1, all].map(Count::known);
-            let transmittance = Some((&transmittance, 1.0));
+            let transmittance = Some((&transmittance, 1.0, 0.0));
             table.raise_bound(&device, &pair, transmittance, &counts[0]).expect("a bound");
             table.set_scale(&device, &field, &counts[1]).expect("a scale");
             for chunk in [samples, samples - 3] {

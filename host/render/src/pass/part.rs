@@ -108,7 +108,8 @@ impl Part {
         gradient.color.table.raise_bound(device, d_splats, None, pairs)?;
         let transmittance = &self.transmittance;
         if gradient.has_transmittance && transmittance.samples.upper_bound() > 0 {
-            let values = Some((&transmittance.transmittance, transmittance.power));
+            let Transmittance { transmittance, power, .. } = transmittance;
+            let values = Some((transmittance, *power, scene.roulette.gradients));
             gradient.transmittance.table.raise_bound(device, d_splats, values, pairs)?;
         }
         Ok(())

@@ -12,6 +12,16 @@ use muslin_device::{Buffer, Device};
 use organza_core::error::{Result, argument};
 use organza_core::scene::{Gaussians, Ground, Placement, Scene, SceneConfig, Tensors, TrainedOn};
 
+/// Russian roulette in training: what is smaller than a bound survives with a probability of its size over the bound, and then counts as the
+/// bound. So sums keep their means, and less is computed. With a bound of 0, all survive as they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Roulette {
+    /// The bound for how full the occupancy grid is at a step of a ray: what does not survive is no sample of T.
+    pub samples: f32,
+    /// The bound for |dL/dlog T| of a ray, for each sample of which it is the gradient.
+    pub gradients: f32,
+}
+
 /// A scene whose tensors lie on a device. A clone is the same scene, on the same memory.
 #[derive(Clone, Debug)]
 pub struct DeviceScene {
@@ -23,7 +33,7 @@ pub struct DeviceScene {
     /// See [`DeviceScene::with_ray_steps`].
     pub(crate) ray_steps: u32,
     /// See [`DeviceScene::with_roulette`].
-    pub(crate) faint: f32,
+    pub(crate) roulette: Roulette,
     pub(crate) scene_box: Buffer<f32>,
     pub(crate) tensors: Tensors<Buffer<f32>>,
     pub(crate) color: DeviceField,
@@ -195,11 +205,10 @@ impl DeviceScene {
         seen
     }
 
-    /// The same scene, on the same memory, for training: steps of T where the occupancy grid is less full than
-    /// `faint` play Russian roulette. Those that survive count as `faint`, so sums along a ray keep their means, and fewer samples are evaluated.
+    /// The same scene, on the same memory, for training.
     #[must_use]
-    pub fn with_roulette(self, faint: f32) -> Self {
-        Self { faint, ..self }
+    pub fn with_roulette(self, roulette: Roulette) -> Self {
+        Self { roulette, ..self }
     }
 
     /// The same scene, on the same memory, for the coarse steps of a training: for images that are `factor` times smaller,

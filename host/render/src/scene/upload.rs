@@ -6,7 +6,7 @@ use std::sync::Arc;
 use organza_shaders::resolve::DIVIDE_ABOVE;
 use organza_shaders::unit_cube::SceneBox;
 
-use super::device_scene::DeviceScene;
+use super::device_scene::{DeviceScene, Roulette};
 use super::field::DeviceField;
 use super::occupancy::Occupancy;
 use super::options::UploadOptions;
@@ -45,7 +45,7 @@ impl DeviceScene {
             gaussians: scene.gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
             ray_steps: 1,
-            faint: 0.0,
+            roulette: Roulette::default(),
             scene_box: device.upload("scene box", &scene_box.pack())?,
             color: field("color", &config.color_grid, color, &tensors.color)?,
             transmittance: field(

@@ -71,6 +71,7 @@ impl Color {
             bins,
             field: &scene.color,
             inputs: Inputs { blocks: &self.blocks, grid_row, others },
+            is_encoded: true,
             first_sample: None,
             gradient: &gradient.color,
         };

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::Vec4;
 use muslin::count::OVERFLOW;
 use organza_shaders::count::{
-    ALL, COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, INTERSECTIONS, PAIRS,
+    ALL, COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, GRADIENTS, INTERSECTIONS, PAIRS,
     RecordTotalKernel, RecordTotalParams, SAMPLES,
 };
 use organza_shaders::loss::{LossCheckKernel, LossCheckParams};
@@ -39,9 +39,10 @@ impl Capacity {
     pub fn slots(self) -> [u32; COUNTS as usize] {
         let Self { pairs, intersections, samples } = self;
         let mut slots = [0; COUNTS as usize];
-        for (slot, number) in [(PAIRS, pairs), (INTERSECTIONS, intersections), (SAMPLES, samples)] {
-            slots[slot as usize] = number;
-        }
+        slots[PAIRS as usize] = pairs;
+        slots[INTERSECTIONS as usize] = intersections;
+        slots[SAMPLES as usize] = samples;
+        slots[GRADIENTS as usize] = samples;
         slots
     }
 

@@ -1,7 +1,7 @@
 //! Which Gaussians each tile needs, in ascending order.
 
 use glam::Vec4;
-use organza_shaders::count::{INTERSECTIONS, PAIRS, SAMPLES};
+use organza_shaders::count::{GRADIENTS, INTERSECTIONS, PAIRS, SAMPLES};
 use organza_shaders::tile::{
     TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
     TileRangeParams,
@@ -180,5 +180,13 @@ impl TileBins {
         let ranges = [&self.tile_first, first_sample];
         counts.clear_on_overflow(device, &[&self.pair_mask, &self.tile_mask], &ranges)?;
         Ok(counts.count(SAMPLES))
+    }
+
+    /// Records the number of samples that get a gradient, which are some of all samples.
+    pub fn count_gradients(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
+        let Some(counts) = &self.part_counts else { return total(device, first_sample) };
+        counts.record_total(device, GRADIENTS, first_sample)?;
+        device.publish_counts();
+        Ok(counts.count(GRADIENTS))
     }
 }

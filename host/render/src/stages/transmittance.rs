@@ -10,8 +10,8 @@ use organza_shaders::transmittance::{
     TransmittanceInputsParams,
 };
 use organza_shaders::transmittance_backward::{
-    ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
-    SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
+    ExtraBackwardKernel, ExtraBackwardParams, GradientCountKernel, GradientCountParams,
+    SegmentProductBackwardKernel, SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
 };
 use organza_shaders::unit_cube::Split;
 
@@ -33,10 +33,10 @@ pub struct Segments {
     vectors: Buffer<Vec4>,
     /// `[pairs + 1]`: the index of each segment's first sample, and the number of all samples.
     pub first_sample: Buffer<u32>,
+    /// `[pairs, words]`: with an occupancy grid, which steps are samples.
+    bits: Buffer<u32>,
     /// `[samples]`: with an occupancy grid, which step of its segment a sample is.
     step: Buffer<f32>,
-    /// `[samples]`: with an occupancy grid, how full it is there.
-    full: Buffer<f32>,
 }
 
 /// Transmittance of every pair.
@@ -81,10 +81,9 @@ impl Transmittance {
         let device = scene.device();
         let segments = segments.list(scene, pairs, &samples)?;
         let first_sample = &segments.first_sample;
-        let inputs = scene.config.transmittance_inputs();
-        let end = |&pair: &u32| Ok(device.read_range(first_sample, pair as usize, 1)?[0]);
-        let ends: Vec<_> = pairs.chunk_ends(keep).iter().map(end).collect::<Result<_>>()?;
-        let blocks = Blocks::new(device, inputs, samples.clone(), keep, &ends)?;
+        // where not all samples get a gradient, the ones that do are encoded again
+        let keep = keep && scene.roulette.gradients == 0.0;
+        let blocks = blocks(scene, pairs, &segments, samples.clone(), keep, keep)?;
         let log_rho = log_rho(scene, pairs, &segments, &blocks)?;
         let pairs_capacity = pairs.count.upper_bound();
         let power = scene.ray_steps as f32;
@@ -189,15 +188,23 @@ impl Segments {
         };
         device.run_all(&kernel.counted(&pairs.count))?;
         let occupancy = &scene.occupancy.table;
+        // every binding needs a buffer, even if the kernel does not read it
+        let mut bits = count.view();
         if scene.config.occupancy != 0 {
             let params = steps_params(scene, pairs);
-            let kernel = StepCountKernel { params, segment: &vectors, occupancy, count: &count };
+            bits =
+                device.unwritten("steps that are samples", (capacity * params.words) as usize)?;
+            let kernel = StepCountKernel {
+                params,
+                segment: &vectors,
+                occupancy,
+                bits: &bits,
+                count: &count,
+            };
             device.run_all(&kernel.counted(&pairs.count))?;
         }
         let first_sample = exclusive_scan(device, &count, capacity)?;
-        // every binding needs a buffer, even if the kernel does not read it
-        let [step, full] = [occupancy.view(), occupancy.view()];
-        Ok(Self { vectors, first_sample, step, full })
+        Ok(Self { vectors, first_sample, bits, step: occupancy.view() })
     }
 
     /// K of every segment: its steps, samples or not.
@@ -212,19 +219,15 @@ impl Segments {
             return Ok(self);
         }
         let device = scene.device();
-        let [step, full] = ["steps of samples", "fullness of samples"]
-            .map(|label| device.unwritten(label, samples.upper_bound() as usize));
-        let [step, full] = [step?, full?];
+        let step = device.unwritten("steps of samples", samples.upper_bound() as usize)?;
         let kernel = StepFillKernel {
             params: steps_params(scene, pairs),
-            segment: &self.vectors,
-            occupancy: &scene.occupancy.table,
+            bits: &self.bits,
             first_sample: &self.first_sample,
             step: &step,
-            full: &full,
         };
         device.run_all(&kernel.counted(&pairs.count))?;
-        Ok(Self { step, full, ..self })
+        Ok(Self { step, ..self })
     }
 }
 
@@ -233,18 +236,40 @@ fn steps_params(scene: &DeviceScene, pairs: &Pairs) -> StepsParams {
         pairs: pairs.count.upper_bound(),
         side: scene.config.occupancy,
         contracted: scene.config.contraction.for_kernels(),
-        faint: scene.faint,
+        faint: scene.roulette.samples,
+        words: longest(scene).div_ceil(u32::BITS),
     }
+}
+
+/// The largest number of steps of a segment: the cube's diagonal, and one more that rounding may add.
+fn longest(scene: &DeviceScene) -> u32 {
+    let steps = (3f64.sqrt() / scene.ray_step()).ceil() + 1.0;
+    steps.min(f64::from(MAX_SAMPLES)) as u32
+}
+
+/// Memory for the samples of segments: see [`Blocks::new`].
+fn blocks(
+    scene: &DeviceScene,
+    pairs: &Pairs,
+    segments: &Segments,
+    samples: Count,
+    keep: bool,
+    has_gradients: bool,
+) -> Result<Blocks> {
+    let device = scene.device();
+    let end = |&pair: &u32| Ok(device.read_range(&segments.first_sample, pair as usize, 1)?[0]);
+    let ends: Vec<_> = pairs.chunk_ends(has_gradients).iter().map(end).collect::<Result<_>>()?;
+    Ok(Blocks::new(device, scene.config.transmittance_inputs(), samples, keep, &ends)?)
 }
 
 /// Samples are numbered in 32 bits.
 fn check_samples(scene: &DeviceScene, pairs: &Pairs) -> Result<()> {
-    let longest = (3f64.sqrt() / scene.ray_step()).ceil().min(f64::from(MAX_SAMPLES));
+    let longest = longest(scene);
     let pairs = pairs.count.upper_bound();
-    let max_samples = f64::from(pairs) * longest;
-    if max_samples > f64::from(u32::MAX) {
+    let max_samples = u64::from(pairs) * u64::from(longest);
+    if max_samples > u32::MAX.into() {
         let what = format!("the samples of {pairs} segments with up to {longest} each");
-        return Err(Error::OutOfMemory { needed: max_samples as u64 * 4, available: None, what });
+        return Err(Error::OutOfMemory { needed: 4 * max_samples, available: None, what });
     }
     Ok(())
 }
@@ -291,14 +316,15 @@ fn inputs(
             extra: config.extra,
             extra_row: config.transmittance_grid.width() as u32,
             contracted: config.contraction.for_kernels(),
-            listed: u32::from(config.occupancy != 0),
+            side: config.occupancy,
+            faint: scene.roulette.samples,
         },
         pair: &pairs.pair,
         first_sample: &segments.first_sample,
         segment: &segments.vectors,
         extra: &scene.tensors.gaussians.extra,
         step: &segments.step,
-        full: &segments.full,
+        occupancy: &scene.occupancy.table,
         point: &chunk.point(),
         input: &chunk.input(),
     };
@@ -315,38 +341,96 @@ impl Transmittance {
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<Option<PairVectors>> {
-        let device = scene.device();
         if self.samples.upper_bound() == 0 {
             return Ok(None);
         }
-        let Self { segments, blocks, .. } = self;
-        let first_sample = &segments.first_sample;
-        let pairs = &bins.pairs;
         let extra = scene.config.extra;
-        let values = (pairs.count.upper_bound() * extra) as usize;
-        let pair_extra = device.zeros("gradient of the pairs' extra vectors", values)?;
+        let values = (bins.pairs.count.upper_bound() * extra) as usize;
+        let values = scene.device().zeros("gradient of the pairs' extra vectors", values)?;
+        let pair_extra = PairVectors { values, width: extra };
+        let survivors = self.survivors(scene, bins, pair_gradient)?;
+        let (segments, blocks) = match &survivors {
+            None => (&self.segments, &self.blocks),
+            Some((segments, blocks)) => (segments, blocks),
+        };
+        let inputs = Inputs {
+            blocks,
+            grid_row: 0,
+            others: &|chunk| inputs(scene, &bins.pairs, segments, chunk),
+        };
+        let first_sample = Some(&segments.first_sample);
+        let gradient = &gradient.transmittance;
+        let field = &scene.transmittance;
+        let is_encoded = survivors.is_none();
+        let backward =
+            FieldBackward { scene, bins, field, inputs, is_encoded, first_sample, gradient };
+        self.backward_samples(backward, segments, pair_gradient, &pair_extra)?;
+        Ok(Some(pair_extra))
+    }
+
+    /// The samples that get a gradient, in blocks that nothing is written to yet; `None` if all get one.
+    fn survivors(
+        &self,
+        scene: &DeviceScene,
+        bins: &TileBins,
+        pair_gradient: &Buffer<Vec4>,
+    ) -> Result<Option<(Segments, Blocks)>> {
+        if scene.roulette.gradients == 0.0 {
+            return Ok(None);
+        }
+        let device = scene.device();
+        let pairs = &bins.pairs;
+        let capacity = pairs.count.upper_bound();
+        let count = device.zeros("counts of gradients", capacity as usize)?;
+        let kernel = GradientCountKernel {
+            params: GradientCountParams {
+                pairs: capacity,
+                power: self.power,
+                faint: scene.roulette.gradients,
+            },
+            segment: &self.segments.vectors,
+            first_sample: &self.segments.first_sample,
+            transmittance: &self.transmittance,
+            pair_gradient,
+            count: &count,
+        };
+        device.run_all(&kernel.counted(&pairs.count))?;
+        let first_sample = exclusive_scan(device, &count, capacity)?;
+        let samples = bins.count_gradients(device, &first_sample)?;
+        let segments = Segments {
+            vectors: self.segments.vectors.view(),
+            first_sample,
+            bits: self.segments.bits.view(),
+            step: self.segments.step.view(),
+        };
+        let segments = segments.list(scene, pairs, &samples)?;
+        let blocks = blocks(scene, pairs, &segments, samples, false, true)?;
+        Ok(Some((segments, blocks)))
+    }
+
+    /// Adds the gradients of samples to their sums, and to `pair_extra`.
+    fn backward_samples(
+        &self,
+        backward: FieldBackward<'_>,
+        segments: &Segments,
+        pair_gradient: &Buffer<Vec4>,
+        pair_extra: &PairVectors,
+    ) -> Result<()> {
+        let FieldBackward { scene, bins, .. } = backward;
+        let device = scene.device();
+        let first_sample = &segments.first_sample;
         let owners = Owners {
-            all: &pairs.count,
+            all: &bins.pairs.count,
             first: match &bins.part_counts {
                 None => Some(device.read(first_sample)?),
                 Some(_) => None,
             },
         };
-        let backward = FieldBackward {
-            scene,
-            bins,
-            field: &scene.transmittance,
-            inputs: Inputs {
-                blocks,
-                grid_row: 0,
-                others: &|chunk| inputs(scene, pairs, segments, chunk),
-            },
-            first_sample: Some(first_sample),
-            gradient: &gradient.transmittance,
-        };
         // a pair's samples may lie in two chunks: they are added in order
         backward.run(
-            |scratch, chunk| self.head_backward(scene, scratch, chunk, &owners, pair_gradient),
+            |scratch, chunk| {
+                self.head_backward(scene, scratch, chunk, &owners, first_sample, pair_gradient)
+            },
             |input_gradient, chunk| {
                 let (first_pair, count) = owners.of_chunk(chunk);
                 let pairs = count.upper_bound();
@@ -357,17 +441,16 @@ impl Transmittance {
                         samples: chunk.samples(),
                         first_sample: chunk.first(),
                         stride: chunk.stride(),
-                        extra,
+                        extra: pair_extra.width,
                         extra_row: scene.config.transmittance_grid.width() as u32,
                     },
                     first_sample,
                     input_gradient,
-                    pair_extra: &pair_extra,
+                    pair_extra: &pair_extra.values,
                 };
                 device.run_all(&kernel.counted(&count, &chunk.count()))
             },
-        )?;
-        Ok(Some(PairVectors { values: pair_extra, width: extra }))
+        )
     }
 
     /// The gradient of the network's output for a chunk of samples.
@@ -377,6 +460,7 @@ impl Transmittance {
         scratch: &ChunkScratch,
         chunk: &Chunks<'_>,
         owners: &Owners<'_>,
+        first_sample: &Buffer<u32>,
         pair_gradient: &Buffer<Vec4>,
     ) -> Result<()> {
         let device = scene.device();
@@ -390,8 +474,9 @@ impl Transmittance {
                 samples: chunk.samples(),
                 first_sample: chunk.first(),
                 power: self.power,
+                faint: scene.roulette.gradients,
             },
-            first_sample: &self.segments.first_sample,
+            first_sample,
             transmittance: &self.transmittance,
             pair_gradient,
             log_rho_gradient,

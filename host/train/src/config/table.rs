@@ -204,6 +204,10 @@ macro_rules! define {
                 /// Steps of T where the occupancy grid is less full than this are samples only by chance; 0: never.
                 #[see("#roulette")]
                 roulette: f64 = 0.25, in 0.0..=1.0;
+                /// Rays with a smaller |dL/dlog T| than this have a gradient only by chance; in the weight of a pixel in the
+                /// loss; 0: never.
+                #[see("#roulette")]
+                gradient_roulette: f64 = 0.1, in 0.0..=1000.0;
                 /// Steps between evaluations on the held-out views; 0: only at the end.
                 #[option("--evaluate-every <N>")]
                 evaluate_every: u32 = 1000;

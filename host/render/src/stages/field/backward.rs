@@ -24,6 +24,8 @@ pub struct FieldBackward<'a> {
     pub bins: &'a TileBins,
     pub field: &'a DeviceField,
     pub inputs: Inputs<'a>,
+    /// Whether the forward pass has written the inputs of blocks that are kept.
+    pub is_encoded: bool,
     /// `[pairs + 1]`: each pair's first sample; `None` if every pair is one sample.
     pub first_sample: Option<&'a Buffer<u32>>,
     pub gradient: &'a FieldGradient,
@@ -91,7 +93,7 @@ impl FieldBackward<'_> {
         let scratches = Mutex::default();
         let new = || ChunkScratch::new(device, field, layout);
         for block in inputs.blocks.iter() {
-            if !block.is_kept {
+            if !(self.is_encoded && block.is_kept) {
                 field.encode(device, inputs, &block)?;
             }
             for group in block.groups() {

@@ -177,52 +177,19 @@ const COLMAP: &str = include_str!("stand_ins/colmap.sh");
 /// Stands in for ffmpeg, for a video of 60 frames. The last 20 have the size that the file `second-size` says.
 const FFMPEG: &str = include_str!("stand_ins/ffmpeg.sh");
 
-/// Options that ffmpeg 5.1 to 9.0 and COLMAP 3.8 to 4.1 know, by their sources and helps.
-const KNOWN: [(&str, &str); 6] = [
-    ("", "-v -hide_banner -nostats -nostdin -y -reinit_filter -i -map -vf -fps_mode -pix_fmt -f"),
-    (
-        "feature_extractor ",
-        "--database_path --image_path --ImageReader.single_camera --ImageReader.camera_model \
-         --SiftExtraction.max_num_features",
-    ),
-    ("exhaustive_matcher ", "--database_path --ExhaustiveMatching.block_size"),
-    ("sequential_matcher ", "--database_path --SequentialMatching.overlap"),
-    ("mapper ", "--database_path --image_path --output_path"),
-    (
-        "image_undistorter ",
-        "--image_path --input_path --output_path --output_type --max_image_size",
-    ),
-];
+/// Options that ffmpeg 5.1 to 9.0 and COLMAP 4.1 know, by their sources and helps.
+const KNOWN: &str = include_str!("stand_ins/known.txt");
 
-/// Versions of COLMAP after which names changed, and those names: of its extractor, and of its matchers.
+/// Versions of COLMAP after which names changed, and what older versions have instead of a part of the newest names.
 const VERSIONS: [[&str; 3]; 3] = [
-    ["3.8", "--SiftExtraction.use_gpu --SiftExtraction.max_image_size", "--SiftMatching.use_gpu"],
-    [
-        "3.13.0",
-        "--FeatureExtraction.use_gpu --SiftExtraction.max_image_size",
-        "--FeatureMatching.use_gpu",
-    ],
-    [
-        "4.1.1",
-        "--FeatureExtraction.use_gpu --FeatureExtraction.max_image_size",
-        "--FeatureMatching.use_gpu",
-    ],
+    ["3.8", "Feature", "Sift"],
+    ["3.13.0", "FeatureExtraction.max", "SiftExtraction.max"],
+    ["4.1.1", "Feature", "Feature"],
 ];
 
 /// Makes COLMAP be of this version.
-fn write_known(sandbox: &Sandbox, [colmap, extractor, matcher]: [&str; 3]) {
-    let renamed = [
-        ("feature_extractor ", extractor),
-        ("exhaustive_matcher ", matcher),
-        ("sequential_matcher ", matcher),
-    ];
-    let mut known = format!("ffmpeg 5.1.9-0+deb12u1\ncolmap {colmap}\n");
-    for (command, options) in KNOWN.into_iter().chain(renamed) {
-        for option in options.split_whitespace() {
-            writeln!(known, "{command}{option}").unwrap();
-        }
-    }
-    sandbox.write("known", known);
+fn write_known(sandbox: &Sandbox, [colmap, newest, name]: [&str; 3]) {
+    sandbox.write("known", format!("colmap {colmap}\n{}", KNOWN.replace(newest, name)));
 }
 
 /// An image with a pose, as COLMAP finds it.

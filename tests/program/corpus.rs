@@ -3,11 +3,15 @@
 use std::fs;
 use std::path::Path;
 
+use allocation_counter::measure;
 use muslin_check::inputs::Random;
 use organza::fuzz::TARGETS;
 use serde_json::Value;
 
-use crate::held::run;
+/// Most bytes that a parser may hold at once, besides an amount that grows with its input.
+const MAX_BYTES: usize = 96 << 20;
+/// Additional bytes for each byte of the input.
+const MAX_PER_BYTE: usize = 256;
 
 /// Number of random changes of each file. `ORGANZA_MUTATIONS` replaces it, as in `.ci/nightly`, and `ORGANZA_MUTATION_SEED`
 /// sets the seed.
@@ -38,6 +42,12 @@ const VALUES: [&str; 22] = [
     "\"\\u001b[2J\"",
     "3.4e38",
 ];
+
+/// Runs a parser on bytes. Panics if it held too much memory.
+fn run(target: fn(&[u8]), bytes: &[u8], what: &str) {
+    let most = measure(|| target(bytes)).bytes_max as usize;
+    assert!(most <= MAX_BYTES + MAX_PER_BYTE * bytes.len(), "{what} took {most} bytes of memory");
+}
 
 /// Changes bytes at one place.
 fn mutate_bytes(bytes: &mut Vec<u8>, random: &mut Random) {

@@ -12,7 +12,6 @@ mod edit;
 mod eval;
 mod film;
 mod flags;
-mod held;
 mod hostile;
 mod limits;
 mod mesh;

@@ -1,10 +1,11 @@
 //! Several scenes in one picture, on every device.
 
+use std::collections::BTreeMap;
 use std::fs;
 
 use organza::render::{EyeCache, EyeOptions};
 use organza::scene::{Ground, Place, Placement, read_tensors};
-use organza::{Channel, DeviceScene, Renderer, Scene};
+use organza::{Camera, Channel, DeviceScene, RenderedTiles, Renderer, Scene, Tile, TileBatch};
 use organza_tests::cases::{self, Case};
 use organza_tests::compare::{assert_close, bits};
 
@@ -85,7 +86,8 @@ fn a_scene_far_away_changes_no_bit() {
         let too_far = Placement { offset: [1e300, 0.0, 0.0], ..Placement::default() };
         assert!(scene.put(other.clone(), too_far).is_err(), "coordinates overflow");
         let mut standing = renderer.upload(&case.scene).expect("memory");
-        standing.stand_on(Ground { placement: far, sides: [[None; 2]; 2], border: 1.0 });
+        let sides = [[None; 2]; 2];
+        standing.stand_on(Ground { placement: far, sides, border: 1.0, motions: BTreeMap::new() });
         assert!(standing.put(other, far).is_err(), "only one stands on a ground");
     }
 }
@@ -128,6 +130,99 @@ fn a_scene_in_clear_air_keeps_its_channels() {
                 pairs.filter(|(found, expected)| (*found - *expected).abs() > 1e-3).count();
             // where a Gaussian ends, rounding decides
             assert!(far_off * 1000 < found.len(), "{device}, {channel:?}: {far_off}");
+        }
+    }
+}
+
+/// The mean of two standing scenes, from the image and the depth of each alone. The side of their grounds is the plane x = 0.3.
+fn mean_of(alone: &[RenderedTiles; 2], camera: &Camera, tiles: &[Tile]) -> (Vec<f32>, Vec<f32>) {
+    let mut color = vec![0.0; alone[0].data.len()];
+    let mut depth = vec![0.0; color.len() / 3];
+    let [side, area] = [16, 16 * 16];
+    for (pixel, mean) in depth.iter_mut().enumerate() {
+        let [tile, at] = [pixel / area, pixel % area];
+        let [column, row] = [at % side, at / side];
+        let place = [column, row].map(|at| at as f64 + 0.5);
+        let ray = camera.ray([0, 1].map(|axis| f64::from(tiles[tile].origin[axis]) + place[axis]));
+        let depths = [0, 1].map(|index| alone[index].channels[&Channel::Depth][pixel]);
+        let weight = |index: usize| {
+            let inside = |x: f64| if index == 0 { 0.3 - x } else { x - 0.3 };
+            // far along the ray, or where it begins, it is over the ground and half of the ramp
+            let is_met = [1e9, 0.0].iter().any(|t| inside(camera.eye()[0] + t * ray.x) > -0.2);
+            let x = camera.eye()[0] + f64::from(depths[index]) * ray.x;
+            match (is_met, depths[index] > 0.0) {
+                (false, _) => 0.0,
+                (true, false) => 1e-9,
+                (true, true) => (0.5 + inside(x) / 0.4).clamp(1e-6, 1.0),
+            }
+        };
+        let weights = [0, 1].map(weight);
+        let part = [0, 1].map(|index| weights[index] / (weights[0] + weights[1]));
+        let of = |values: [f32; 2]| (0..2).map(|i| part[i] * f64::from(values[i])).sum::<f64>();
+        *mean = of(depths) as f32;
+        for channel in 0..3 {
+            let at = (3 * tile + channel) * area + at;
+            color[at] = of([0, 1].map(|index| alone[index].data[at])) as f32;
+        }
+    }
+    (color, depth)
+}
+
+/// Each scene counts where it shows its ground, and is rendered only in tiles from which a ray comes there.
+#[test]
+fn scenes_on_grounds_are_a_mean_of_their_images() {
+    let case = basic();
+    let mut right = case.scene.clone();
+    right.config.placement = Placement { offset: [0.6, 0.0, 0.0], ..Placement::default() };
+    let put = Place { same_world: true, ..Place::default() };
+    let place = Placement::default().place(&right.config.placement, &put).expect("a place");
+    let placement = Placement::default();
+    let ground = |sides| Ground { placement, sides, border: 0.4, motions: BTreeMap::new() };
+    let [left_ground, right_ground] =
+        [[[None; 2], [Some(0.3), None]], [[Some(0.3), None], [None; 2]]].map(ground);
+    let look = |eye, target| {
+        Camera::look_at(eye, target, [0.0, 0.0, 1.0], 1.0, [96, 80]).expect("a camera")
+    };
+    // from before the side, along it, and away from it
+    let cameras = [
+        look([0.2, -3.0, 0.6], [0.3, 0.0, 0.0]),
+        look([0.0, -3.0, 0.3], [0.0, 0.0, 0.3]),
+        look([0.0, -2.0, 0.3], [-1.4, 0.0, 0.0]),
+    ];
+    for (device, renderer) in RENDERERS.iter() {
+        let alone = [&case.scene, &right].map(|scene| renderer.upload(scene).expect("memory"));
+        let [mut all, mut other] = alone.clone();
+        all.stand_on(left_ground.clone());
+        other.stand_on(right_ground.clone());
+        all.put(other, place).expect("memory");
+        let mut cache = EyeCache::default();
+        for (index, camera) in cameras.iter().enumerate() {
+            let batch = whole(camera);
+            let render = |scene: &DeviceScene, camera: &Camera, batch: &TileBatch| {
+                let cameras = std::slice::from_ref(camera);
+                renderer
+                    .render_channels(scene, cameras, batch, &Channel::ALL, &mut |_, _| {})
+                    .expect("it renders")
+            };
+            let found = render(&all, camera, &batch);
+            let own = [camera.clone(), place.own_camera(camera)];
+            let images = [0, 1].map(|at| render(&alone[at], &own[at], &batch));
+            let (color, depth) = mean_of(&images, camera, &batch.tiles);
+            let what = format!("camera {index} on {device}");
+            assert_close(&what, &found.data, &color, 1e-5);
+            assert_close(&what, &found.channels[&Channel::Depth], &depth, 1e-4);
+            // columns of tiles in which no ray goes to the right
+            let first = [0, 48, 96][index];
+            let right = batch.tiles.iter().filter(|tile| tile.origin[0] >= first);
+            let right = TileBatch { side: 16, tiles: right.copied().collect() };
+            let mut expected = images[0].report;
+            if !right.tiles.is_empty() {
+                expected.add(&render(&alone[1], &own[1], &right).report);
+            }
+            assert_eq!(found.report, expected, "{what}");
+            let seen = renderer.render_from_eye(&all, camera, &batch, &mut cache, &EXACT);
+            let seen = seen.expect("an image").expect("it was not cancelled");
+            assert!(bits(&seen.data) == bits(&found.data), "{what}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A block of a capture: a data set that takes some of another one's photographs. [`Split`](super::Split) makes blocks.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -128,7 +128,8 @@ impl Block {
     /// Where the block's scene shows the world best.
     #[must_use]
     pub fn ground(&self) -> Ground {
-        Ground { placement: self.placement, sides: self.sides, border: self.border }
+        let Self { placement, sides, border, .. } = *self;
+        Ground { placement, sides, border, motions: BTreeMap::new() }
     }
 
     /// Removes the Gaussians that belong to other blocks.

@@ -39,11 +39,13 @@ impl Renderer {
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderedTiles> {
         if let Some(scenes) = scene.grounds() {
-            let count = scenes.len();
-            let blended = blend(&scenes, cameras, batch, channels, &mut |index, one, own, all| {
-                let progress = &mut |done, tiles| progress((index * tiles + done) / count, tiles);
-                self.render_channels(one, own, batch, all, progress).map(Some)
-            })?;
+            let [count, tiles] = [scenes.len(), batch.tiles.len()];
+            let render = &mut |index, one: &_, own: &_, some: &_, all: &_| {
+                let progress = &mut |done, _| progress((index * tiles + done) / count, tiles);
+                self.render_channels(one, own, some, all, progress).map(Some)
+            };
+            let blended = blend(&scenes, cameras, batch, channels, render)?;
+            progress(tiles, tiles);
             return Ok(blended.expect("nothing cancels it"));
         }
         let pass = self.pass(scene, cameras);

@@ -288,20 +288,17 @@ impl Renderer {
         options: &EyeOptions<'_>,
     ) -> Result<Option<RenderedTiles>> {
         if let Some(scenes) = scene.grounds() {
+            cache.work = FieldWork::default();
             let caches = &mut cache.beside;
             caches.resize_with(scenes.len(), EyeCache::default);
-
+            // those that are not seen do nothing
+            caches.iter_mut().for_each(|cache| cache.work = FieldWork::default());
+            let render = &mut |index: usize, one: &_, own: &[_], some: &_, all: &[_]| {
+                let options = &EyeOptions { channels: all, ..*options };
+                self.render_from_eye(one, &own[0], some, &mut caches[index], options)
+            };
             let cameras = std::slice::from_ref(camera);
-            return blend(
-                &scenes,
-                cameras,
-                batch,
-                options.channels,
-                &mut |index, one, own, all| {
-                    let options = &EyeOptions { channels: all, ..*options };
-                    self.render_from_eye(one, &own[0], batch, &mut caches[index], options)
-                },
-            );
+            return blend(&scenes, cameras, batch, options.channels, render);
         }
         let pass = self.pass(scene, std::slice::from_ref(camera));
         let mut parts = pass.cut(batch)?;

@@ -63,7 +63,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 impl Args {
     /// Reads the scene and the photographs, and compares them.
     fn evaluate(&self, console: Console) -> Result<Evaluation> {
-        let shown = Shown::find_images(&self.scene, &[])?;
+        let mut shown = Shown::find_images(&self.scene, &[])?;
+        if self.data.is_none() {
+            shown.refine()?;
+        }
         let source = &shown.source;
         let split = self.data_args.split(Split::HeldOut);
         let scenes = shown.load(console)?;

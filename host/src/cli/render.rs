@@ -70,7 +70,10 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let shown = Shown::find_images(&args.scene, &args.cameras)?;
+    let mut shown = Shown::find_images(&args.scene, &args.cameras)?;
+    if shown.cameras.is_none() {
+        shown.refine()?;
+    }
     let source = &shown.source;
     let cameras = &Cameras::load(source, shown.cameras.as_deref(), &args.data, console)?;
     let views = &match &args.views {

@@ -19,7 +19,7 @@ use crate::cli::views::photographs;
 use organza::data::Block;
 use organza::error::invalid;
 use organza::scene::{Ground, Placement, SceneConfig, TrainedOn};
-use organza::train::{self, CHECKPOINT, CONFIG, CROPPED, TrainConfig};
+use organza::train::{self, CHECKPOINT, CONFIG, CROPPED, Checkpoint, TrainConfig};
 use organza::{Camera, Error, Result, Scene};
 
 /// The origin of a scene.
@@ -104,6 +104,16 @@ impl SceneSource {
     /// From now on, the scene of a block with what it has learned outside of the block, which others show better.
     pub fn uncrop(&mut self) {
         self.file.set_file_name(CHECKPOINT);
+    }
+
+    /// Moves the cameras of a block's photographs as its run has refined them.
+    fn refine(&mut self) -> Result<()> {
+        let known = Scene::load_config(&self.file)?.trained_on.unwrap_or_default();
+        let learned = Checkpoint::load_poses(&self.file)?;
+        if let Some(ground) = &mut self.ground {
+            ground.motions = known.seen.into_iter().zip(learned).collect();
+        }
+        Ok(())
     }
 
     /// Where the scene of a block shows the world best.

@@ -56,13 +56,23 @@ impl Shown {
     /// Like [`Self::find`], for commands that render images: if the runs of a split are all there is to show, each is a whole image.
     pub fn find_images(scene: &Path, others: &[PathBuf]) -> Result<Self> {
         let mut shown = Self::find(scene, others)?;
-        let others = shown.beside.iter_mut().map(|(source, ..)| source);
-        let mut sources: Vec<_> = [&mut shown.source].into_iter().chain(others).collect();
-        shown.is_blended = sources.iter().all(|source| source.ground().is_some());
-        if shown.is_blended {
-            sources.iter_mut().for_each(|source| source.uncrop());
+        let is_blended = shown.sources().all(|source| source.ground().is_some());
+        shown.is_blended = is_blended;
+        if is_blended {
+            shown.sources_mut().for_each(SceneSource::uncrop);
         }
         Ok(shown)
+    }
+
+    /// From now on, each block shows a photograph's camera where its own run has refined it.
+    pub fn refine(&mut self) -> Result<()> {
+        let is_blended = self.is_blended;
+        self.sources_mut().filter(|_| is_blended).try_for_each(SceneSource::refine)
+    }
+
+    fn sources_mut(&mut self) -> impl Iterator<Item = &mut SceneSource> {
+        let others = self.beside.iter_mut().map(|(source, ..)| source);
+        [&mut self.source].into_iter().chain(others)
     }
 
     /// Fails if there are several scenes, of which none can be edited.
@@ -70,32 +80,59 @@ impl Shown {
         if self.beside.is_empty() { Ok(()) } else { refuse("`--edit` takes one scene") }
     }
 
-    /// Reads all scenes, in their order.
-    pub fn load(&self, console: Console) -> Result<Vec<Scene>> {
-        let others = self.beside.iter().map(|(source, ..)| source);
-        [&self.source].into_iter().chain(others).map(|source| source.load(console)).collect()
+    /// Whether these are the runs of a split, each of which is a whole image.
+    pub fn is_blended(&self) -> bool {
+        self.is_blended
     }
 
-    /// Copies all scenes to a device, each at its place.
+    /// All scenes, in their order.
+    pub fn sources(&self) -> impl Iterator<Item = &SceneSource> {
+        [&self.source].into_iter().chain(self.beside.iter().map(|(source, ..)| source))
+    }
+
+    /// Reads all scenes, in their order.
+    pub fn load(&self, console: Console) -> Result<Vec<Scene>> {
+        self.sources().map(|source| source.load(console)).collect()
+    }
+
+    /// Copies scenes to a device, each at its place: all, or the first ones.
     pub fn upload(
         &self,
         scenes: &[Scene],
         options: UploadOptions,
         renderer: &Renderer,
     ) -> Result<DeviceScene> {
-        let [first, others @ ..] = scenes else { unreachable!("a scene") };
-        let upload = |scene: &Scene, source: &SceneSource| -> Result<DeviceScene> {
-            let mut uploaded = renderer.upload_with(scene, options)?;
-            if let Some(ground) = source.ground().filter(|_| self.is_blended) {
-                uploaded.stand_on(ground.clone());
-            }
-            Ok(uploaded)
-        };
-        let mut scene = upload(first, &self.source)?;
-        for (other, (source, _, placement)) in others.iter().zip(&self.beside) {
-            scene.put(upload(other, source)?, *placement)?;
+        let scenes = scenes.iter().enumerate();
+        let uploaded = scenes.map(|(index, scene)| {
+            self.upload_one(index, scene, options, renderer).map(|uploaded| (index, uploaded))
+        });
+        self.join(uploaded.collect::<Result<Vec<_>>>()?)
+    }
+
+    /// Copies the scene with this number to a device.
+    pub fn upload_one(
+        &self,
+        index: usize,
+        scene: &Scene,
+        options: UploadOptions,
+        renderer: &Renderer,
+    ) -> Result<DeviceScene> {
+        let mut uploaded = renderer.upload_with(scene, options)?;
+        let ground = self.sources().nth(index).and_then(SceneSource::ground);
+        if let Some(ground) = ground.filter(|_| self.is_blended) {
+            uploaded.stand_on(ground.clone());
         }
-        Ok(scene)
+        Ok(uploaded)
+    }
+
+    /// Scenes on a device, by their numbers, each at its place. The first one has the number 0.
+    pub fn join(&self, scenes: Vec<(usize, DeviceScene)>) -> Result<DeviceScene> {
+        let mut scenes = scenes.into_iter();
+        let (_, mut all) = scenes.next().expect("a scene");
+        for (index, scene) in scenes {
+            all.put(scene, self.beside[index - 1].2)?;
+        }
+        Ok(all)
     }
 
     /// The box of nearly all of the opacity of all scenes, in the first one's coordinates.

@@ -9,7 +9,9 @@ use organza::data::Block;
 use organza::{Camera, Scene};
 use serde_json::{Value, json};
 
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Sandbox, wait_until};
+use crate::train::processes::{signal, wait_for_end};
+use crate::view::chromium::{Page, program};
 use crate::view::client::{Viewer, pixels};
 
 const SPLIT: &str = "split walk -o blocks --blocks 2";
@@ -77,33 +79,61 @@ fn places(sandbox: &Sandbox, file: &str) -> Vec<[f64; 3]> {
     scene.gaussians.position.iter().map(|place| world.world(place.map(f64::from))).collect()
 }
 
-/// Each pixel of `images` is the mean of those of the blocks, by where the depth of each says that it lies.
-fn assert_blended(sandbox: &Sandbox, blocks: &[Block; 2]) {
+/// The cameras of the photographs as the data set has them.
+fn given(sandbox: &Sandbox) -> Vec<Camera> {
+    Camera::load_all(sandbox.path("walk/transforms.json")).unwrap()
+}
+
+/// How far a camera of the world is over a block, and how much that grows along a ray.
+fn over(block: &Block, camera: &Camera, ray: [f64; 3]) -> [f64; 2] {
+    let Block { placement, sides, .. } = block;
+    let eye = camera.eye();
+    let [x, ahead] = [0.0, 1.0].map(|t| placement.own([0, 1, 2].map(|i| eye[i] + t * ray[i]))[0]);
+    let [low, high] = sides.map(|side| side[0]);
+    let inside = |x: f64| high.map_or_else(|| x - low.unwrap(), |high| high - x);
+    [inside(x), inside(ahead) - inside(x)]
+}
+
+/// Each pixel of `images` is the mean of those of the blocks, by where the depth of each says that it lies. Each block has cameras of its own.
+/// Where a pixel's ray does not come over a block, that block does not count.
+fn assert_blended(
+    sandbox: &Sandbox,
+    images: &str,
+    blocks: &[Block; 2],
+    cameras: &[Vec<Camera>; 2],
+) {
     for index in [0, 1] {
+        let file = format!("cameras-{index}.json");
+        Camera::save_all(sandbox.path(&file), &cameras[index]).unwrap();
         let scene = format!("runs/block-{index}/checkpoint.safetensors");
-        let words = format!("render {scene} walk -o alone-{index} --channels depth --backend cpu");
-        sandbox.run(&words).assert_ok();
+        let words =
+            format!("render {scene} {file} -o alone-{index} --channels depth --backend cpu");
+        sandbox.run(&format!("{words} --overwrite")).assert_ok();
     }
     let open = |name: &str| image::open(sandbox.path(name)).unwrap();
-    let cameras = Camera::load_all(sandbox.path("walk/transforms.json")).unwrap();
-    let mut mixed = 0;
-    for (view, camera) in cameras.iter().enumerate() {
-        let found = open(&format!("images/{view:02}.png")).to_rgb8();
-        let alone = [0, 1].map(|block| open(&format!("alone-{block}/{view:02}.png")).to_rgb8());
+    let [mut mixed, mut apart] = [0; 2];
+    for view in 0..cameras[0].len() {
+        let name = cameras[0][view].file_path.as_ref().unwrap().trim_end_matches(".png");
+        let found = open(&format!("{images}/{name}.png")).to_rgb8();
+        let alone = [0, 1].map(|block| open(&format!("alone-{block}/{name}.png")).to_rgb8());
         let depths =
-            [0, 1].map(|block| open(&format!("alone-{block}/{view:02}.depth.png")).to_luma16());
+            [0, 1].map(|block| open(&format!("alone-{block}/{name}.depth.png")).to_luma16());
         for (column, row, pixel) in found.enumerate_pixels() {
-            let ray = camera.ray([column, row].map(|at| f64::from(at) + 0.5));
             let weights = [0, 1].map(|block| {
+                let camera = &cameras[block][view];
+                let ray = camera.ray([column, row].map(|at| f64::from(at) + 0.5)).to_array();
+                let border = blocks[block].border;
+                let [inside, gain] = over(&blocks[block], camera, ray);
+                if inside < -0.5 * border && gain <= 0.0 {
+                    return 0.0;
+                }
                 let depth = f64::from(depths[block].get_pixel(column, row).0[0]) / 1000.0;
-                let Block { placement, sides, border, .. } = &blocks[block];
-                let x = placement.own([0, 1, 2].map(|i| camera.eye()[i] + depth * ray[i]))[0];
-                let inside =
-                    if block == 0 { sides[1][0].unwrap() - x } else { x - sides[0][0].unwrap() };
-                if depth > 0.0 { (0.5 + inside / border).clamp(1e-6, 1.0) } else { 1e-9 }
+                let weight = (0.5 + (inside + depth * gain) / border).clamp(1e-6, 1.0);
+                if depth > 0.0 { weight } else { 1e-9 }
             });
             let sum: f64 = weights.iter().sum();
             mixed += usize::from(weights.iter().all(|weight| *weight > 0.2 * sum));
+            apart += usize::from(weights.contains(&0.0));
             for channel in 0..3 {
                 let value =
                     |block: usize| f64::from(alone[block].get_pixel(column, row).0[channel]);
@@ -114,11 +144,31 @@ fn assert_blended(sandbox: &Sandbox, blocks: &[Block; 2]) {
                 let mean = (weights[0] * value(0) + weights[1] * value(1)) / sum;
                 // depths and colors are rounded
                 let error = (mean - f64::from(pixel.0[channel])).abs();
-                assert!(error < 4.0, "{view}: {column}, {row}: {error}");
+                assert!(error < 4.0, "{name}: {column}, {row}: {error}");
             }
         }
     }
-    assert!(mixed > 0, "the blocks meet in no photograph");
+    assert!(mixed > 0 && apart > 0, "the blocks meet in no photograph, or in all");
+}
+
+/// A camera that turns away from a block shows the other one alone, at its cost.
+fn assert_unseen_is_not_rendered(sandbox: &Sandbox) {
+    let up = [0.0, 0.0, 1.0];
+    let away = Camera::look_at([0.0, 0.0, 1.0], [-1.7, 3.0, 1.0], up, 1.0, [64, 64]).unwrap();
+    Camera::save_all(sandbox.path("away.json"), &[away]).unwrap();
+    let render = |scene: &str, images: &str| {
+        let words = format!("render {scene} away.json -o {images} --backend cpu --json");
+        sandbox.run(&words).json()
+    };
+    let both = render("runs", "of-both");
+    let one = render("runs/block-0/checkpoint.safetensors", "of-one");
+    assert!(one["pairs"].as_u64().unwrap() > 0);
+    for what in ["pairs", "members", "samples"] {
+        assert_eq!(both[what], one[what], "{what}");
+    }
+    let [both, one] =
+        ["of-both", "of-one"].map(|images| sandbox.read(&format!("{images}/0000.png")));
+    assert!(pixels(&both) == pixels(&one));
 }
 
 #[test]
@@ -169,7 +219,8 @@ fn blocks_are_trained_apart_and_shown_as_one_scene() {
     }
 
     sandbox.run("render runs -o images --backend cpu").assert_ok().says(&["16 images"]);
-    assert_blended(&sandbox, &blocks);
+    assert_blended(&sandbox, "images", &blocks, &[0, 1].map(|_| given(&sandbox)));
+    assert_unseen_is_not_rendered(&sandbox);
     let found = sandbox.run("eval runs --backend cpu --json").json();
     let views: Vec<_> =
         found["views"].as_array().unwrap().iter().map(|view| &view["name"]).collect();
@@ -200,13 +251,105 @@ fn blocks_are_trained_apart_and_shown_as_one_scene() {
         assert!(mesh.lines().filter_map(vertex).any(|place| own.has(place)), "no surface there");
     }
     let viewer = Viewer::start(&sandbox, "view runs --port 0 --backend cpu");
-    assert_eq!(viewer.scene()["scenes"], 2);
+    // they are one scene, of which no part can be moved
+    assert_eq!(viewer.scene()["scenes"], 1);
     let camera = &viewer.scene()["views"][8]["camera"];
+    wait_for_blocks(&viewer, camera, [2, 0, 2]);
     let image = viewer.frame(camera, "exact", &json!({})).ok();
     assert!(pixels(&image.body) == pixels(&sandbox.read("images/08.png")));
     for words in ["edit runs -o a.safetensors --scale 1", "explain runs --view 0 --pixel 1,1"] {
         sandbox.assert_refuses(words, &["runs of a split", "name one of them"]);
     }
+}
+
+/// Waits until so many blocks are shown, could not be read, and are there.
+fn wait_for_blocks(viewer: &Viewer, camera: &Value, expected: [usize; 3]) {
+    let blocks = || viewer.frame(camera, "moving", &json!({})).ok().about()["blocks"].clone();
+    wait_until("all blocks", || blocks() == json!(expected));
+}
+
+/// The nearest block comes first, and one that cannot be read keeps none of the others away.
+#[test]
+fn a_viewer_shows_blocks_as_they_come() {
+    let sandbox = street();
+    sandbox.run("split walk -o blocks --blocks 4").assert_ok();
+    sandbox.run(&format!("{TRAIN} runs --steps 1")).assert_ok();
+    let broken = "runs/block-2/checkpoint.safetensors";
+    sandbox.write(broken, &sandbox.read(broken)[..20_000]);
+    let mut viewer = Viewer::start(&sandbox, "view runs --port 0 --backend cpu");
+    let scene = viewer.scene();
+    let camera = &scene["home"];
+    wait_for_blocks(&viewer, camera, [3, 1, 4]);
+    if let Some(program) = program() {
+        let mut page = Page::open(program, &viewer.url(), [700, 420]);
+        let text = |id: &str| format!("document.getElementById('{id}').textContent");
+        page.wait(&format!("{}.startsWith('1 of 4 blocks could not be read')", text("message")));
+        page.wait(&format!("{} === 'incomplete'", text("quality")));
+        page.wait(&format!("{}.startsWith('3 of 4 blocks')", text("numbers")));
+    }
+    signal(&viewer.child, "INT");
+    wait_for_end(&mut viewer.child);
+    let said = viewer.last_words();
+    let pose: [[f64; 4]; 4] = serde_json::from_value(camera["camera_to_world"].clone()).unwrap();
+    let first = Scene::load(sandbox.path("runs/block-0/checkpoint.safetensors")).unwrap();
+    let eye = first.config.placement.world(pose.map(|row| row[3])[..3].try_into().unwrap());
+    let far = |index: &usize| {
+        let Block { placement, sides, .. } = block(&sandbox, &format!("blocks/block-{index}"));
+        let x = placement.own(eye)[0];
+        let [low, high] = sides.map(|side| side[0]);
+        low.map_or(0.0, |low| low - x).max(high.map_or(0.0, |high| x - high)).max(0.0)
+    };
+    let mut expected = [1, 2, 3];
+    expected.sort_by(|a, b| far(a).total_cmp(&far(b)));
+    let of_block = |line: &String| {
+        let after = line.split("runs/block-").nth(1)?;
+        after.split(' ').next()?.parse::<usize>().ok().filter(|_| line.contains("shown"))
+    };
+    assert_eq!(said.iter().filter_map(of_block).collect::<Vec<_>>(), expected, "{said:?}");
+    assert!(said.iter().any(|line| line.contains("runs/block-2 is not shown: ")), "{said:?}");
+}
+
+/// A block shows a photograph from where its own run has put the camera.
+#[test]
+fn refined_poses_are_those_of_each_block() {
+    let sandbox = street();
+    let settings = include_str!("train/tiny.toml");
+    sandbox.write("tiny.toml", format!("{settings}pose = {{ first = 0.02, last = 0.02 }}\n"));
+    sandbox.run(SPLIT).assert_ok();
+    sandbox.run(&format!("{TRAIN} runs --refine-poses")).assert_ok();
+    let blocks = [0, 1].map(|index| block(&sandbox, &format!("blocks/block-{index}")));
+    let mut moved = 0;
+    let cameras = [0, 1].map(|index| {
+        let file = sandbox.path(&format!("runs/block-{index}/cameras.json"));
+        let own = Camera::load_all(file).unwrap();
+        let mut cameras = given(&sandbox);
+        for (name, own) in blocks[index].frames.iter().zip(own) {
+            let at = cameras.iter().position(|camera| camera.file_path.as_ref() == Some(name));
+            let camera = &mut cameras[at.unwrap()];
+            let far = (0..3).map(|i| (camera.eye()[i] - own.eye()[i]).abs()).fold(0.0, f64::max);
+            moved += usize::from(far > 0.05);
+            camera.camera_to_world = own.camera_to_world;
+        }
+        cameras
+    });
+    assert!(moved > 4, "{moved}");
+    sandbox.run("render runs -o images --backend cpu").assert_ok();
+    assert_blended(&sandbox, "images", &blocks, &cameras);
+    // the scores are those of these images
+    let found = sandbox.run("eval runs --split train --backend cpu --json").json();
+    for view in found["views"].as_array().unwrap() {
+        let name = view["name"].as_str().unwrap();
+        let [image, truth] = ["images", "walk"]
+            .map(|folder| image::open(sandbox.path(folder).join(name)).unwrap().to_rgb8());
+        let pairs = image.iter().zip(truth.iter());
+        let squares = pairs.map(|(a, b)| ((f64::from(*a) - f64::from(*b)) / 255.0).powi(2));
+        let psnr = -10.0 * (squares.sum::<f64>() / image.len() as f64).log10();
+        let error = (view["psnr"].as_f64().unwrap() - psnr).abs();
+        assert!(error < 0.05, "{name}: {error}");
+    }
+    // a data set that is named is taken as it is
+    sandbox.run("render runs walk -o given --backend cpu").assert_ok();
+    assert_blended(&sandbox, "given", &blocks, &[0, 1].map(|_| given(&sandbox)));
 }
 
 #[test]

@@ -1,16 +1,17 @@
 //! `organza view`: shows a scene in a browser.
 
+mod blocks;
+
 use std::net::IpAddr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
-use std::time::Duration;
 
 use organza::Result;
 use organza::data::{Point, Pose};
-use organza::view::{
-    About, Editor, FrameRenderer, Photographs, Places, Purpose, Queue, Server, Stage,
-};
+use organza::view::{About, Editor, FrameRenderer, Photographs, Places, Purpose, Queue, Server};
+
+use blocks::Blocks;
 
 use super::console::Console;
 use super::device::SceneArgs;
@@ -122,7 +123,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         shown.require_one()?;
     }
     let (poses, photographs, points) = surroundings(args, source, named, console)?;
-    let mut scenes = shown.load(console)?;
+    let mut scenes = match shown.is_blended() {
+        true => vec![source.load(console)?],
+        false => shown.load(console)?,
+    };
     let server = args.server.listen(console)?;
     let renderer = args.scene_args.device.open(console)?;
     let uploaded = shown.upload(&scenes, args.scene_args.options(), &renderer)?;
@@ -144,12 +148,14 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let places = Places::new(&uploaded, shown.places());
     let mut frame_renderer =
         FrameRenderer::new(Arc::clone(&queue), photographs).with(editor, places);
+    let home = about.home.clone();
     let url = server.url();
     server.start(Arc::clone(&queue), about, None)?;
     args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
-    let stage = Stage { renderer: &renderer, scene: &uploaded, version: 0 };
+    let mut blocks = Blocks::new(&shown, uploaded, args.scene_args.options(), &renderer, console);
     while !queue.is_stopped() {
-        frame_renderer.serve(stage, Duration::from_secs(1));
+        blocks.go_on(frame_renderer.camera().unwrap_or(&home))?;
+        frame_renderer.serve(blocks.stage(), blocks.patience());
     }
     Ok(())
 }

@@ -32,6 +32,8 @@ pub enum Purpose {
 /// Facts that the page gets when it opens.
 #[derive(Debug)]
 pub struct About {
+    /// The camera of the first view.
+    pub home: Camera,
     pub(super) json: String,
     /// Positions as f32, followed by colors.
     pub(super) points: Vec<u8>,
@@ -91,7 +93,7 @@ impl About {
         });
         let json = told.to_string();
         let points = [bytemuck::cast_slice(&positions), &*colors].concat();
-        Self { json, points, placement: config.placement }
+        Self { home, json, points, placement: config.placement }
     }
 }
 

@@ -14,7 +14,7 @@ use super::queue::{FrameJob, NextJob, Payload, Question, Queue};
 use crate::{Editor, Photographs, Places, Stage};
 use organza_core::error::{self, Result, refuse};
 use organza_core::image::{ChannelImage, Image, TILE_SIDE};
-use organza_core::{RenderReport, TileBatch};
+use organza_core::{Camera, RenderReport, TileBatch};
 use organza_data::Photograph;
 use organza_render::{DeviceScene, EyeCache, EyeOptions};
 
@@ -31,6 +31,8 @@ pub struct FrameRenderer {
     /// None if pages may not change the scene.
     editor: Option<Editor>,
     places: Places,
+    /// Of the last image that a page asked for.
+    camera: Option<Camera>,
 }
 
 /// Data kept for a client.
@@ -45,13 +47,19 @@ struct Eye {
 impl FrameRenderer {
     /// A frame renderer that takes requests from `queue`.
     pub fn new(queue: Arc<Queue>, photographs: Photographs) -> Self {
-        Self { queue, photographs, eyes: Vec::new(), editor: None, places: Places::default() }
+        let places = Places::default();
+        Self { queue, photographs, eyes: Vec::new(), editor: None, places, camera: None }
     }
 
     /// Pages may change what is shown: with an editor of the same scene, or by the places of others.
     #[must_use]
     pub fn with(self, editor: Option<Editor>, places: Places) -> Self {
         Self { editor, places, ..self }
+    }
+
+    /// The camera of the last image that a page asked for.
+    pub fn camera(&self) -> Option<&Camera> {
+        self.camera.as_ref()
     }
 
     /// Answers one request, waiting for it for up to `patience`. Returns whether there was one.
@@ -84,6 +92,7 @@ impl FrameRenderer {
     /// Paints an image; `None` if it was interrupted.
     fn frame(&mut self, stage: Stage<'_>, job: &FrameJob) -> Result<Option<Payload>> {
         let begin = Instant::now();
+        self.camera = Some(job.request.camera.clone());
         let truth = match (job.request.mode, job.request.view) {
             (Mode::Error, Some(view)) => Some(self.photographs.get(stage.renderer, view)?),
             (Mode::Error, None) => return refuse("an error needs a photograph"),
@@ -125,6 +134,7 @@ impl FrameRenderer {
             // the length of T's steps, as a multiple of sigma
             "steps": steps,
             "milliseconds": 1000.0 * seconds,
+            "blocks": stage.blocks,
             "range": range.map(|Range { low, high }| [low, high]),
         });
         Ok(Some(rendered_as(kind, bytes, &about)))

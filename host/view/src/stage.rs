@@ -11,4 +11,6 @@ pub struct Stage<'a> {
     pub scene: &'a DeviceScene,
     /// Changes with the scene: the number of training steps.
     pub version: u64,
+    /// Of a split: how many blocks are shown, how many could not be read, and all. Others follow.
+    pub blocks: Option<[usize; 3]>,
 }

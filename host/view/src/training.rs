@@ -113,7 +113,7 @@ impl<'a> TrainingView<'a> {
         if let Some(server) = self.server.take() {
             self.start(server, scene)?;
         }
-        let stage = Stage { renderer: self.renderer, scene, version };
+        let stage = Stage { renderer: self.renderer, scene, version, blocks: None };
         let begin = Instant::now();
         self.clock.training += (begin - self.clock.since).as_secs_f64();
         if self.clock.share() < self.share && self.frame_renderer.serve(stage, Duration::ZERO) {

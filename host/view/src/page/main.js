@@ -20,6 +20,8 @@ import { Training } from "./training.js";
 /** @import { Shown } from "./frames.js" */
 /** @import { Camera, FrameAbout, FrameRequest, Mode, Pixel, Scene, Vector } from "./protocol" */
 
+const FOLLOW = 500; // milliseconds between images while blocks of a split come in
+
 /** @type {Scene} */
 const scene = await (await fetch("scene.json")).json();
 
@@ -143,6 +145,7 @@ const modes = new Modes(scene, (mode) => {
 });
 frames.refines = !training;
 frames.idle = () => status.say();
+let follows = 0;
 setInterval(() => status.say(), 500);
 
 /** @param {Mode} mode */
@@ -164,6 +167,12 @@ function show(bitmap, about, blob, asked) {
   context.drawImage(bitmap, 0, 0, w, h);
   bitmap.close();
   view.shown = { about, blob, asked };
+  if (about.blocks) {
+    const [there, failed, all] = about.blocks;
+    frames.refines = there + failed === all;
+    clearTimeout(follows);
+    if (!frames.refines) follows = setTimeout(() => frames.refresh(), FOLLOW);
+  }
   document.documentElement.dataset.quality = about.quality;
   document.documentElement.dataset.sequence = String(about.sequence);
   lens.place();
@@ -174,7 +183,9 @@ function show(bitmap, about, blob, asked) {
 /** @param {string | null} message */
 function fail(message) {
   // the panel says that the program has ended
-  tell(training?.ended ? null : message);
+  const [, failed, all] = view.shown?.about.blocks ?? [];
+  const lacks = failed ? `${failed} of ${all} blocks could not be read; the terminal says why` : null;
+  tell(training?.ended ? null : message ?? lacks);
 }
 
 $("title").textContent = scene.title;

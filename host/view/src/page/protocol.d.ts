@@ -97,6 +97,8 @@ export interface FrameAbout {
   samples: number;
   /** Length of T's steps, in those of the scene. */
   steps: number;
+  /** Of a split: blocks that are shown, those that could not be read, and all. */
+  blocks: number[] | null;
   /** The values at both ends of the scale. */
   range: number[] | null;
 }

@@ -50,6 +50,8 @@ export class Status {
   quality(about) {
     if (this.training?.ended) return "ended";
     if (about.quality === "moving") return "moving";
+    const [there, failed, all] = about.blocks ?? [];
+    if (there < all) return there + failed < all ? "loading" : "incomplete";
     // a scene that is trained changes before it could be refined
     if (!this.frames.refines) return "live";
     return this.frames.wanted || this.frames.busy || about.quality === "still" ? "refining" : "exact";
@@ -61,6 +63,8 @@ export class Status {
     const { rate } = this.frames;
     const { depth } = this.view;
     const facts = [];
+    const [there, , all] = about.blocks ?? [];
+    if (there < all) facts.push(`${there} of ${all} blocks`);
     if (rate) facts.push(`${rate.toFixed(rate < 10 ? 1 : 0)} images/s`);
     if (depth) facts.push(`depth ${depth.toPrecision(4)}`);
     // the page draws a small image larger than it is

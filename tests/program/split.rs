@@ -112,8 +112,8 @@ fn assert_blended(
     }
     let open = |name: &str| image::open(sandbox.path(name)).unwrap();
     let [mut mixed, mut apart] = [0; 2];
-    for view in 0..cameras[0].len() {
-        let name = cameras[0][view].file_path.as_ref().unwrap().trim_end_matches(".png");
+    for (view, camera) in cameras[0].iter().enumerate() {
+        let name = camera.file_path.as_ref().unwrap().trim_end_matches(".png");
         let found = open(&format!("{images}/{name}.png")).to_rgb8();
         let alone = [0, 1].map(|block| open(&format!("alone-{block}/{name}.png")).to_rgb8());
         let depths =

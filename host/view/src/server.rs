@@ -311,11 +311,12 @@ const SCRIPT: &str = "text/javascript; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 
 /// Every file of the page.
-const ASSETS: [Asset; 23] = [
+const ASSETS: [Asset; 24] = [
     ("/", PAGE, include_str!("page/index.html")),
     ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
     ("/page.css", STYLE, include_str!("page/page.css")),
     ("/main.js", SCRIPT, include_str!("page/main.js")),
+    ("/blocks.js", SCRIPT, include_str!("page/blocks.js")),
     ("/camera.js", SCRIPT, include_str!("page/camera.js")),
     ("/cameras.js", SCRIPT, include_str!("page/cameras.js")),
     ("/controls.js", SCRIPT, include_str!("page/controls.js")),

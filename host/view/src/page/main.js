@@ -1,5 +1,6 @@
 // The page: what is looked at, and its parts.
 
+import { Blocks } from "./blocks.js";
 import { add, depthOf, eyeOf, forwardOf, length, scale, sub, unproject, withSize } from "./camera.js";
 import { Cameras } from "./cameras.js";
 import { Controls } from "./controls.js";
@@ -19,8 +20,6 @@ import { Training } from "./training.js";
 
 /** @import { Shown } from "./frames.js" */
 /** @import { Camera, FrameAbout, FrameRequest, Mode, Pixel, Scene, Vector } from "./protocol" */
-
-const FOLLOW = 500; // milliseconds between images while blocks of a split come in
 
 /** @type {Scene} */
 const scene = await (await fetch("scene.json")).json();
@@ -143,9 +142,9 @@ const modes = new Modes(scene, (mode) => {
   setMode(mode);
   view.changed();
 });
+const blocks = new Blocks(frames);
 frames.refines = !training;
 frames.idle = () => status.say();
-let follows = 0;
 setInterval(() => status.say(), 500);
 
 /** @param {Mode} mode */
@@ -167,12 +166,7 @@ function show(bitmap, about, blob, asked) {
   context.drawImage(bitmap, 0, 0, w, h);
   bitmap.close();
   view.shown = { about, blob, asked };
-  if (about.blocks) {
-    const [there, failed, all] = about.blocks;
-    frames.refines = there + failed === all;
-    clearTimeout(follows);
-    if (!frames.refines) follows = setTimeout(() => frames.refresh(), FOLLOW);
-  }
+  blocks.follow(about);
   document.documentElement.dataset.quality = about.quality;
   document.documentElement.dataset.sequence = String(about.sequence);
   lens.place();
@@ -183,9 +177,7 @@ function show(bitmap, about, blob, asked) {
 /** @param {string | null} message */
 function fail(message) {
   // the panel says that the program has ended
-  const [, failed, all] = view.shown?.about.blocks ?? [];
-  const lacks = failed ? `${failed} of ${all} blocks could not be read; the terminal says why` : null;
-  tell(training?.ended ? null : message ?? lacks);
+  tell(training?.ended ? null : message ?? blocks.lack);
 }
 
 $("title").textContent = scene.title;

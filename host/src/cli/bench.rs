@@ -16,24 +16,9 @@ use super::summary::{Table, count, grouped};
 use super::tiles::load_batch;
 use super::{image_size, refuse, usage};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza bench                                             no files needed
-  organza bench scene.safetensors cameras.json tiles.json
-  organza bench scene.safetensors cameras.json tiles.json --backend cpu --threads 1 --json
-  organza bench scene.safetensors cameras.json tiles.json --forward --repeat 20
-  organza bench run --frame --size 1280x720                 one image of a training's scene
-
-Times are medians over the passes, after one pass that warms up. `forward` ends when the tiles are on the host. \
-`forward and backward` is one pass for the gradient of the tiles' sum (dL/dY = 1 everywhere); it ends when the \
-gradients of all tensors are on the device. `share` is a kernel's part of the time of all kernels. On the CPU, kernels \
-are timed in the same passes. On a GPU, they are timed in separate passes, by timestamps of the GPU; if it has none, \
-organza waits for each dispatch, and its time includes the way to the device and back. Peak memory is the process's, with the scene's \
-file and without a GPU's memory.";
-
 /// Measure a batch, forward and backward, and each kernel's part of it
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/bench.txt"))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run [default: what `organza demo` writes]
     #[arg(required_if_eq("frame", "true"))]

@@ -15,17 +15,9 @@ use super::inputs::SceneSource;
 use super::summary::{Table, grouped, score};
 use super::{refuse, text_of};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza compare run other
-  organza compare runs/*
-
-Prints how close each run came to its held-out views, and the settings that differ. Each run's report.html has its curves \
-and pictures.";
-
 /// Compare training runs: their results, and the settings that differ
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/compare.txt"))]
 pub struct Args {
     /// The runs' folders
     #[arg(value_name = "RUN", required = true, num_args = 2..)]

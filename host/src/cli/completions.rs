@@ -8,18 +8,9 @@ use organza::error::argument;
 use super::Cli;
 use super::console::{Console, print_as_is};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza completions bash > ~/.local/share/bash-completion/completions/organza
-  organza completions zsh > ~/.zfunc/_organza            fpath+=~/.zfunc before compinit in ~/.zshrc
-  organza completions fish > ~/.config/fish/completions/organza.fish
-  organza completions powershell >> $PROFILE
-
-Start a new shell afterward.";
-
 /// Print a script that completes commands and options in a shell
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/completions.txt"))]
 pub struct Args {
     /// The shell
     #[arg(value_enum)]

@@ -22,15 +22,9 @@ use super::{quoted, refuse, text_of};
 const VIEWS: u16 = 24;
 const SIDE: u32 = 384;
 
-const EXAMPLES: &str = "\
-Examples:
-  organza demo -o demo
-  organza demo -o demo --views 8 --size 256 --backend cpu
-  organza demo --photographs -o table      40 photographs of a still life, to capture and train";
-
 /// Render the built-in scene from all sides; needs no files
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/demo.txt"))]
 pub struct Args {
     /// Write photographs of a still life instead, made by a ray tracer, with the flaws of photographs that are taken by
     /// hand. They are in the public domain (CC0 1.0)

@@ -21,22 +21,9 @@ use super::{number_in, numbers, refuse, text_of};
 /// Loss of PSNR that is worth a warning, in dB.
 const NOTICED: f64 = 0.3;
 
-const EXAMPLES: &str = "\
-Examples:
-  organza edit run -o small.safetensors --min-contribution    without what no photograph shows
-  organza edit run -o clean.safetensors --clean 0.3           without floaters, as view --edit shows
-  organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
-  organza edit run -o rest.safetensors --box -1,-1,0,1,1,2 --outside
-  organza edit scene.safetensors data/fox -o small.safetensors --min-contribution=0.5
-  organza edit run -o in-meters.safetensors --scale 0.2       a unit of the data set is 20 cm
-
-The rules apply in this order: box, contribution, floaters. Contribution and floaters are measured in the scene that \
-the box has left. \
-The result is a scene's file, for every command that takes a scene.";
-
 /// Remove Gaussians from a scene: crop it, clean it, make it smaller; or give it a scale
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/edit.txt"))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,

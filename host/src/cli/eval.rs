@@ -14,24 +14,9 @@ use super::inputs::{DataArgs, DataSet, Shown, Split};
 use super::picture::warn_not_finite;
 use super::summary::{Table, count, score};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza eval run
-  organza eval run --split train
-  organza eval scene.safetensors data/lego --background white --json
-  organza eval run data/garden --downscale 4
-  organza eval run --fit-colors
-
-A run's folder says what the run was trained on, the built-in scene included, and which frames were held out. \
-Arguments and options override this.
-
-PSNR is in decibels. SSIM uses windows of 11 x 11 pixels with Gaussian weights (sigma 1.5). Pixels that have no \
-color after undistortion do not count. In JSON, a value is null if no pixel or no window counts. The PSNR of equal \
-images is infinite, and null too. scripts/lpips.py measures LPIPS of rendered images.";
-
 /// Compare a scene with photographs: PSNR and SSIM of each view
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/eval.txt"))]
 #[command(mut_arg("split", |split| split.help("The frames of the data set to use [default: held-out]")))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run

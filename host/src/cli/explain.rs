@@ -13,18 +13,9 @@ use super::refuse;
 use super::summary::{Table, count};
 use super::views::{no_view, warn_distorted};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza explain scene.safetensors cameras.json --view 0 --pixel 192,192
-  organza explain scene.safetensors cameras.json --view 3 --pixel 10,20 --all --json
-  organza explain run --split held-out --view 0 --pixel 64,64
-
-The columns follow docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
-sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.";
-
 /// Break one pixel down, Gaussian by Gaussian; always computed on the CPU
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/explain.txt"))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,

@@ -18,23 +18,9 @@ use super::{quoted, refuse};
 /// Loss of PSNR by rounding that is worth a warning, in dB.
 const NOTICED: f64 = 0.1;
 
-const EXAMPLES: &str = "\
-Examples:
-  organza export run -o scene.ply            for SuperSplat, Blender's add-ons and many others
-  organza export run -o scene.spz            a tenth of the size
-  organza export run -o scene.sog            PlayCanvas' format, as images
-  organza export run -o scene.glb            glTF, with KHR_gaussian_splatting
-  organza export scene.safetensors transforms.json -o scene.ply
-  organza export run -o scene.ply --steps 2000
-
-Other viewers sort Gaussians by depth and know no networks. So this command fits spherical harmonics to the colors, and \
-opacities to the visibility. Then it renders as those viewers do, from the cameras and from between them, \
-compares with the scene's own images, and corrects all values of the Gaussians, step by step. It prints how close it came, \
-in views that the fit has not seen.";
-
 /// Write a file for 3D Gaussian Splatting viewers such as SuperSplat: .ply, .spz, .sog, .glb or .splat
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/export.txt"))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,

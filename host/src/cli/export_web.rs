@@ -17,21 +17,9 @@ use super::{refuse, title};
 /// Longest side of a page's images, in pixels.
 const MAX_SIDE: u32 = 4096;
 
-const EXAMPLES: &str = "\
-Examples:
-  organza export-web run -o page                     a folder, for any web server
-  organza export-web run --single-file -o page.html  one file, to open or to send
-  organza export-web scene.safetensors transforms.json -o page
-  organza export-web room.safetensors mug.safetensors@mug.json -o page    scenes together
-  organza export-web run -o page --size 1920x1080    images of at most this size
-
-The page renders with the visitor's GPU. It needs a browser with WebGPU, and no program and no server: it also opens from \
-a folder. Until it is ready, and where there is no WebGPU, it shows a picture. Until the visitor touches it, it turns slowly \
-where the cameras stood; without cameras, around the scene.";
-
 /// Write a page that renders a scene in a browser, by itself
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/export-web.txt"))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,

@@ -12,19 +12,9 @@ use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::check_scene_file;
 use super::summary::count;
 
-const EXAMPLES: &str = "\
-Examples:
-  organza import scene.ply data/fox -o scene.safetensors    on the cameras that it was trained with
-  organza import scene.spz -o scene.safetensors             on cameras from all around it
-  organza view scene.safetensors
-
-The file is one of 3D Gaussian Splatting. A scene needs networks for color and visibility, which no such file has. So this \
-command renders the Gaussians as a viewer that sorts, and trains the scene on these images. It prints how close it came, in \
-views that training has not seen. If you have the photographs, `organza train --start scene.ply` trains on them instead.";
-
 /// Make a scene from a file of 3D Gaussian Splatting: .ply, .spz, .sog, .glb or .splat
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/import.txt"))]
 pub struct Args {
     /// The Gaussians: a .ply, .spz, .sog, .glb or .splat file
     file: PathBuf,

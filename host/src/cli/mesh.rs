@@ -14,20 +14,9 @@ use super::inputs::{Cameras, DataArgs, Shown};
 use super::output::{check_file, relative_to};
 use super::summary::grouped;
 
-const EXAMPLES: &str = "\
-Examples:
-  organza mesh run -o room.glb                       for Blender, game engines and viewers
-  organza mesh run -o room.ply --size 512            finer
-  organza mesh run -o room.obj --faces 50000         smaller
-  organza mesh scene.safetensors transforms.json -o room.glb
-
-At each pixel of the cameras' views, the surface is the median of the Gaussians' places, as their weights have it. The surfaces \
-are put together in a grid, and the mesh is where the grid's signed distance is 0. It has only what cameras see, and no parts that \
-float. Colors are the views' means. The unit is the meter if the scene knows it, and y is up in .glb.";
-
 /// Write the surfaces that the cameras see as a mesh: .glb, .ply or .obj
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/mesh.txt"))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,

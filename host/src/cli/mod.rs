@@ -1,4 +1,4 @@
-//! The command line: one file for each subcommand.
+//! The command line: one file for each subcommand, and one in `help` for its examples.
 
 mod bench;
 mod capture;
@@ -49,21 +49,9 @@ use console::Console;
 /// The exit code of every failure; clap uses the same.
 const FAILURE: u8 = 2;
 
-const EXAMPLES: &str = "\
-Examples:
-  organza train -o run                                      no files needed
-  organza demo -o demo                                      no files needed
-  organza info demo/scene.safetensors
-  organza render demo/scene.safetensors demo/cameras.json -o images --views 0-3
-  organza explain demo/scene.safetensors demo/cameras.json --view 0 --pixel 192,192
-
-`organza COMMAND -h` is short; `organza help COMMAND` also describes the options that choose a device, and has examples.
-
-Exit code: 0, or 2 after an error, with a message on stderr. `parity` exits with 1 if a GPU computes wrong results.";
-
 /// Sort-free Gaussian rendering and training
 #[derive(Debug, Parser)]
-#[command(version, after_help = EXAMPLES, max_term_width = 100)]
+#[command(version, after_help = include_str!("help/organza.txt"), max_term_width = 100)]
 struct Cli {
     #[command(flatten)]
     console: Console,

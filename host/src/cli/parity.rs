@@ -13,20 +13,9 @@ use super::console::{Console, print, print_json};
 /// The exit code if a kernel is out of tolerance.
 const OUT_OF_TOLERANCE: u8 = 1;
 
-const NOTES: &str = "\
-Columns: the largest difference from the CPU, and how much of what its equation allows
-(docs/correctness.md) the worst value uses. Integers must be equal.
-
-Exit code: 0; 1 if a kernel is out of tolerance; 2, with a message on stderr, after any other error,
-such as no GPU.
-
-Examples:
-  organza parity
-  organza parity --adapter nvidia --json";
-
 /// Run every kernel on every GPU and compare with the CPU: run this first on a new GPU
 #[derive(Debug, clap::Args)]
-#[command(after_help = NOTES)]
+#[command(after_help = include_str!("help/parity.txt"))]
 pub struct Args {
     /// Only use GPUs whose name contains this text [default: all]
     #[arg(long, value_name = "NAME")]

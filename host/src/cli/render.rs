@@ -16,31 +16,9 @@ use super::summary::{Cost, Summary, count, grouped};
 use super::views::{ViewList, names, warn_distorted};
 use super::{refuse, text_of};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza render scene.safetensors transforms.json -o images
-  organza render scene.safetensors transforms.json -o images --views 0-3,8
-  organza render scene.safetensors transforms.json -o images --channels depth,normal
-  organza render run -o images                             the views that the run was trained on
-  organza render run -o images --split held-out            those that it did not see
-  organza render scene.safetensors data/fox -o images --split all --downscale 2
-  organza render room.safetensors mug.safetensors@mug.json transforms.json -o images   two scenes
-
-A data set's cameras are used as in training: undistorted and downscaled. With a run's folder, its settings say \
-which frames are held out. `--views` counts the frames that `--split` chooses.
-
-If each camera names a photograph of its own, files are named after these; otherwise after the \
-view's index.
-
-A folder with files that are no images of these cameras is refused, unless you pass `--overwrite`. Nothing is removed.
-
-A channel is written beside the image, as NAME.depth.png. Every channel is 0 where no Gaussian \
-covers a pixel. Depth is in thousandths of a world unit unless `--depth-scale` says otherwise, alpha and visibility go \
-from 0 to 1, and each part of a normal from -1 to 1. `organza tiles` writes the exact values.";
-
 /// Render whole views as PNG images
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/render.txt"))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,

@@ -16,27 +16,9 @@ use super::summary::{Cost, Summary, count, grouped};
 use super::views::warn_distorted;
 use super::{output, refuse, text_of};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors
-  organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --backend cpu
-  organza tiles run tiles.json -o rendered.safetensors     cameras of what the run was trained on
-  organza tiles run tiles.json -o rendered.safetensors --channels depth,alpha
-  organza tiles run tiles.json --grad-tiles G.safetensors --grad gradient.safetensors
-
-CAMERAS may be a data set: its cameras are used as in training, and `camera` is an index among the \
-frames of `--split`.
-
-TILES holds {\"side\": 64, \"tiles\": [{\"camera\": 0, \"origin\": [128, 96]}, ...]}: a tile's \
-origin is the column and the row of its upper left pixel. OUT holds `tiles`, F32 [K, 3, S, S]: \
-tile, RGB, row, column; and each of the `--channels` under its name, [K, 1, S, S], or \
-[K, 3, S, S] of a normal. G holds `grad_tiles`, the gradient of a loss with respect to `tiles`, \
-in the same shape. gradient.safetensors then gets the gradient of the loss with respect to every \
-tensor of the scene, `grad.<tensor>`.";
-
 /// Render a batch of tiles, of any views, into one tensor
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES, allow_missing_positional = true)]
+#[command(after_help = include_str!("help/tiles.txt"), allow_missing_positional = true)]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,

@@ -18,23 +18,9 @@ use super::device::SceneArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Shown};
 use super::{refuse, signals, title};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza view run                           a run's scene, with its cameras and photographs
-  organza view run --open                    also opens the browser
-  organza view scene.safetensors data/fox
-  organza view scene.safetensors             without cameras
-  ssh -L 4747:localhost:4747 machine         then `organza view run` there, the same address here
-  organza view run --bind 0.0.0.0            for other machines; keep the address secret
-  organza view run --edit cropped.safetensors    remove Gaussians on the page
-  organza view room.safetensors mug.safetensors@mug.json    move the mug, and save its place
-
-The page shows the scene while you move through it, coarsely at first. When the camera rests, the image becomes that \
-of `organza render`, to the bit. Press ? on the page for its keys. Ctrl-C ends the program.";
-
 /// Look at a scene in a browser
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("help/view.txt"))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,

@@ -26,26 +26,12 @@ use judge::Judgment;
 use programs::Programs;
 use source::Source;
 
-const EXAMPLES: &str = "\
-Examples:
-  organza capture garden.mp4 -o garden              from a video
-  organza capture photographs/ -o garden            from a folder of photographs
-  organza train garden -o garden-run
-
-Walk slowly around what you want to show, and look at it from many places: turning on the spot shows no depth. Keep the \
-light and the zoom as they are.
-
-ffmpeg takes the sharpest frames of a video. COLMAP finds out where the camera stood, which takes minutes for 100 images \
-and hours for a thousand. Both programs must be installed. After Ctrl-C, the same command continues, and repeats no \
-finished step. In the end, FOLDER has images without lens distortion and their cameras. organza says whether they can be \
-trained, and what to do if not.";
-
 const FRAMES: u32 = 150;
 const SIDE: u32 = 1920;
 
 /// Make a data set from a video or from photographs: sharp frames by ffmpeg, poses by COLMAP
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../help/capture.txt"))]
 pub struct Args {
     /// A video, a folder of photographs, or photographs: JPEG or PNG
     #[arg(required = true, value_name = "VIDEO|PHOTOS")]

@@ -19,27 +19,9 @@ use super::{refuse, text_of};
 use encode::FilmKind;
 use film_path::{PathArgs, described};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza film run -o film.mp4                              an arc or a ring where its cameras stood
-  organza film run -o film.mp4 --views 0,10,20,30 --loop    through cameras of its data set
-  organza film scene.safetensors keys.json -o film.mp4      through keyframes that the viewer saves
-  organza film scene.safetensors -o film.png                once around the scene
-  organza film run -o small.mp4 --size 1280x720
-  organza film run -o frames --frames 600                   a folder of PNG images
-
-An MP4 is encoded by ffmpeg, which must be installed. An animated PNG (.png) needs nothing, loses nothing, plays in \
-every browser, and is larger.
-
-Between cameras, position, rotation and field of view change smoothly, at an even pace. A film of another shape than the \
-images still shows all that a camera sees.
-
-A file that is already there under the film's name is replaced when the film is complete, not before. A film's frames are \
-the images that `organza render` writes of the same cameras.";
-
 /// Make a film: where a run's cameras stood, around a scene, or along a path through cameras
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../help/film.txt"))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,

@@ -22,18 +22,9 @@ use crate::cli::text_of;
 /// Most rows of a table that could have as many rows as a data set has photographs.
 const MAX_ROWS: usize = 24;
 
-const EXAMPLES: &str = "\
-Examples:
-  organza info scene.safetensors
-  organza info run
-  organza info cameras.json
-  organza info data/fox
-  organza info scene.ply
-  organza info rendered.safetensors --json";
-
 /// Describe a scene, cameras, tiles, a rendered batch, a data set, or a .ply, .spz, .sog, .glb or .splat
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = include_str!("../help/info.txt"))]
 pub struct Args {
     /// The file, which is recognized by its content, or by its ending. Or a folder: a training run's, or a data set
     file: PathBuf,

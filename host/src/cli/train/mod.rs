@@ -23,28 +23,7 @@ use super::{absolute, capture, quoted, refuse, text_of};
 use job::TrainJob;
 use settings::{SettingsArgs, long_help};
 
-const EXAMPLES: &str = "\
-Examples:
-  organza train -o run                                 the built-in scene, no files needed
-  organza train data/fox -o run --minutes 10
-  organza train garden.mp4 -o run                      finds the poses first, as `capture` does
-  organza train --resume run                           continues after Ctrl-C, to the same bits
-  organza train --resume run --steps 5000              extends a run, also one that is finished
-  organza train data/fox -o quick --preset fast
-  organza train data/fox -o other --config run/config.toml --seed 1
-  organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set densification.end=0
-  organza train data/fox -o run --refine-poses         poses of a phone, off by some pixels
-  organza train data/fox -o run --view                 look at it while it trains
-  organza train data/fox -o run --start scene.ply      from Gaussians that another program has made
-  organza train data/fox -o run --ranks 2              on two GPUs
-  mpirun -n 8 organza train data/fox -o run --ranks mpi
-  organza train blocks -o runs                         the blocks of `organza split`, one after the other
-  organza train --preset best --print-config > mine.toml
-  organza eval run
-
-RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
-checkpoint.safetensors (a scene that every other command accepts), checkpoint.best.safetensors (the one with the best \
-held-out views), evaluations.csv (the scores of each held-out view), report.html and pictures/ (its images).";
+const EXAMPLES: &str = include_str!("../help/train.txt");
 
 /// Train a scene on photographs or a video, or on the built-in scene
 #[derive(Debug, clap::Args)]

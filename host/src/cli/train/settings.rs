@@ -14,7 +14,7 @@ use crate::cli::{absolute, number_in};
 /// The examples, and the settings for `--set`.
 pub fn long_help(examples: &str) -> String {
     let mut text = format!(
-        "{examples}\n\nSettings are overridden in this order: defaults, --preset, --config, --set, other options. \
+        "{examples}\nSettings are overridden in this order: defaults, --preset, --config, --set, other options. \
          Settings for --set and --config, with their defaults (docs/training.md describes them):\n"
     );
     let hidden = |name: &str| SETTINGS.iter().any(|row| row.is_hidden() && row.name == name);

@@ -259,7 +259,7 @@ fn blocks(
     let device = scene.device();
     let end = |&pair: &u32| Ok(device.read_range(&segments.first_sample, pair as usize, 1)?[0]);
     let ends: Vec<_> = pairs.chunk_ends(has_gradients).iter().map(end).collect::<Result<_>>()?;
-    Ok(Blocks::new(device, scene.config.transmittance_inputs(), samples, keep, &ends)?)
+    Blocks::new(device, scene.config.transmittance_inputs(), samples, keep, &ends)
 }
 
 /// Samples are numbered in 32 bits.

@@ -7,7 +7,7 @@ use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
 use crate::splat::VECTORS;
 use crate::steps::{fraction_of, hash_of, mix};
 use crate::transmittance::logit_and_factor;
-use muslin::math::{TINY, abs, max, sigmoid};
+use muslin::math::{abs, max, sigmoid};
 use muslin::prelude::*;
 
 /// Parameters of [`gradient_count`].
@@ -32,13 +32,16 @@ fn log_rho_gradient_of(
     power * (pair_gradient.read(pair * VECTORS).w * transmittance.read(pair))
 }
 
+/// A gradient of this size is nothing: a GPU can flush the factors of smaller ones.
+pub const NOTHING: f32 = 1e-30;
+
 /// Russian roulette: whether a gradient g survives, of a ray with this hash. With `|g| < faint`, it does with a probability of `|g| / faint`;
-/// below [`TINY`], which a GPU can flush, never.
+/// where it is nothing, never.
 /// Then it [counts](survivor) as `faint`, so that sums of gradients keep their means.
 #[inline(always)]
 pub fn survives(faint: f32, gradient: f32, hash: u32) -> bool {
     // the ray's steps have used its hash
-    max(fraction_of(mix(hash)) * faint, TINY) < abs(gradient)
+    max(fraction_of(mix(hash)) * faint, NOTHING) < abs(gradient)
 }
 
 /// What a gradient that [survives] counts as.

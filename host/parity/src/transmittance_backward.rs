@@ -3,7 +3,7 @@
 use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::transmittance_backward::{
-    ExtraBackwardInputs, ExtraBackwardParams, GradientCountInputs, GradientCountParams,
+    ExtraBackwardInputs, ExtraBackwardParams, GradientCountInputs, GradientCountParams, NOTHING,
     SegmentProductBackwardInputs, SegmentProductBackwardParams, TransmittanceHeadBackwardInputs,
 };
 
@@ -59,12 +59,11 @@ impl GradientCount {
         let all = pairs as usize;
         let steps: Vec<_> = (0..pairs).map(|_| random.below(40)).collect();
         let rays = Rays::new(&steps, fill, random);
-        let transmittance = fill.values(random, all, [0.0, 1.0], 1.0);
         let inputs = GradientCountInputs {
             params: GradientCountParams { pairs, power: 2.0, faint },
             segment: rays.vectors.clone(),
             first_sample: prefix((0..pairs).map(|_| random.below(9).saturating_sub(2))),
-            transmittance: transmittance.into_iter().map(f32::abs).collect(),
+            transmittance: random.values(all, 0.0, 1.0),
             pair_gradient: fill.vectors(random, 3 * all, [-1.0, 1.0], 3e38),
             count: unwritten(all),
         };
@@ -86,7 +85,7 @@ impl Parity for GradientCount {
         let GradientCountParams { power, faint, .. } = self.params;
         let gradient = log_rho_gradient(power, &self.pair_gradient, &self.transmittance, pair);
         let bound = self.rays.gradient_chance(pair) * f64::from(faint);
-        let bound = bound.max(TINY.into());
+        let bound = bound.max(NOTHING.into());
         // one rounding of the bound
         let is_close = (gradient.value.abs() - bound).abs() <= gradient.error + 1e-7 * bound;
         if is_close && gradient.value != 0.0 {

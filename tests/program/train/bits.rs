@@ -152,7 +152,7 @@ fn a_card_waits_for_no_step_and_gets_no_photograph() {
     trainer.advance(None, 2).expect("a step");
     let step = renderer.device().traffic() - before;
     assert_eq!(step.waits, 0, "{step:?}");
-    assert!(step.submissions <= 3 && step.dispatches < 120, "{step:?}");
+    assert!(step.submissions <= 3 && step.dispatches < 125, "{step:?}");
     // 256 bytes for each dispatch, and what is not 16 bytes a pixel: cameras, tiles and their places
     assert!(step.bytes_up < 256 * step.dispatches + 4 * pixels, "{step:?}");
     // the next one changes the number of Gaussians, and reads all of them at once

@@ -8,6 +8,7 @@
 use glam::Vec4;
 
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_LAYERS};
+use crate::transmittance_backward::log_rho_gradient_of;
 use muslin::atomic;
 use muslin::math::abs;
 use muslin::prelude::*;
@@ -79,8 +80,8 @@ pub fn hash_grid_peak(
             let c = pair_gradient.read(3 * pair + 2) * 0.25;
             larger(larger(size_bits(c.x), size_bits(c.y)), size_bits(c.z))
         } else {
-            let gradient = pair_gradient.read(3 * pair).w * transmittance.read(pair);
-            larger(size_bits(params.power * gradient), size_bits(params.faint))
+            let gradient = log_rho_gradient_of(transmittance, pair_gradient, params.power, pair);
+            larger(size_bits(gradient), size_bits(params.faint))
         };
         atomic::raise(bound, 0, bits);
     }

@@ -23,7 +23,7 @@ pub struct GradientCountParams {
 
 /// `dL/dlog_rho_k = power dL/dT T` of Eq. 11, the same for all samples of a pair.
 #[inline(always)]
-fn log_rho_gradient_of(
+pub fn log_rho_gradient_of(
     transmittance: Read<f32>,
     pair_gradient: Read<Vec4>,
     power: f32,

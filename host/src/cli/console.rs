@@ -197,8 +197,10 @@ impl Progress {
         let Some(log) = &self.log else { return };
         let done = self.bar.position();
         let all = self.bar.length().unwrap_or(done);
-        let left = left_of(all.saturating_sub(done), self.speed());
-        if log.is_due(self.bar.elapsed()) {
+        let elapsed = self.bar.elapsed();
+        // The mean of all steps. The bar's own speed falls to nearly nothing while one step takes long.
+        let left = left_of(all.saturating_sub(done), done as f64 / elapsed.as_secs_f64());
+        if log.is_due(elapsed) {
             let what = self.bar.message();
             let unit = &log.unit;
             write(&format!("{what}: {} of {} {unit}{left}\n", grouped(done), grouped(all)));

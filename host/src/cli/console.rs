@@ -55,7 +55,7 @@ pub fn left(seconds: Option<f64>) -> String {
     seconds.map_or_else(String::new, |seconds| format!(", {:#} left", time(seconds)))
 }
 
-/// [`left`] of this many steps, of which so many were done in a second lately; none yet are 0.
+/// [`left`] of this many steps, of which so many are done in a second; none yet are 0.
 fn left_of(steps: u64, speed: f64) -> String {
     left((speed > 0.0).then(|| steps as f64 / speed))
 }
@@ -195,12 +195,12 @@ impl Progress {
     /// Writes a line if it is time for one.
     fn log(&self) {
         let Some(log) = &self.log else { return };
-        let done = self.bar.position();
-        let all = self.bar.length().unwrap_or(done);
         let elapsed = self.bar.elapsed();
-        // The mean of all steps. The bar's own speed falls to nearly nothing while one step takes long.
-        let left = left_of(all.saturating_sub(done), done as f64 / elapsed.as_secs_f64());
         if log.is_due(elapsed) {
+            let done = self.bar.position();
+            let all = self.bar.length().unwrap_or(done);
+            // The mean of all steps. The bar's own speed falls to nearly nothing while one step takes long.
+            let left = left_of(all.saturating_sub(done), done as f64 / elapsed.as_secs_f64());
             let what = self.bar.message();
             let unit = &log.unit;
             write(&format!("{what}: {} of {} {unit}{left}\n", grouped(done), grouped(all)));
